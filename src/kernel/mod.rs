@@ -1,0 +1,43 @@
+//! Smoothing kernels `W(r, h)` and their slopes (38)–(43), (47).
+//!
+//! A kernel is given by its value `W` and its slope `F = W'/r`, both as functions of `r²`, so that
+//! `∇ᵢWᵢⱼ = F xᵢⱼ` (47) needs no division and stays finite at `r = 0`, where superimposed phases meet.
+//! All are normalised to unit integral (39) and vanish from `r = κh` on (41).
+
+mod b_spline;
+mod wendland;
+
+pub use b_spline::{CubicSpline, QuinticSpline};
+pub use wendland::{WendlandC2, WendlandC4, WendlandC6};
+
+use crate::error::ParameterError;
+use crate::real::{Num, Real};
+
+/// A smoothing kernel in `D` dimensions.
+///
+/// `value` and `slope` run in SIMD lanes: mark them `#[inline(always)]` and use no closure in them,
+/// else they are compiled for the plain processor and are slow (never wrong).
+pub trait Kernel<T: Real, const D: usize>: Clone + core::fmt::Debug + Send + Sync + 'static {
+    /// Smoothing length h \[m\].
+    fn smoothing_length(&self) -> T;
+    /// Support κh \[m\]: `W = 0` for `r ≥ κh`.
+    fn support(&self) -> T;
+    /// `W` \[m⁻ᴰ\] at squared distance `r2` \[m²\].
+    fn value<N: Num<Scalar = T>>(&self, r2: N) -> N;
+    /// `F = W'/r` \[m⁻ᴰ⁻²\] at squared distance `r2` \[m²\]; not positive, finite at 0.
+    fn slope<N: Num<Scalar = T>>(&self, r2: N) -> N;
+}
+
+/// `h` must be positive and finite, `D` 1, 2 or 3.
+fn checked<T: Real>(h: T, dimension: usize) -> Result<T, ParameterError> {
+    if !(h > T::ZERO && h.is_finite()) {
+        return Err(ParameterError::new("smoothing_length", h, "a positive length [m]"));
+    }
+    assert!((1..=3).contains(&dimension), "kernels exist in 1 to 3 dimensions");
+    Ok(h)
+}
+
+/// `hᴰ` in double precision.
+fn power(h: f64, dimension: usize) -> f64 {
+    h.powi(dimension as i32)
+}

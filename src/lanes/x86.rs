@@ -1,0 +1,1 @@
+//! SSE2, AVX2 and AVX-512 lanes.

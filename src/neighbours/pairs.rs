@@ -1,0 +1,61 @@
+//! A plain list of pairs, for tools and tests.
+
+use super::{NeighbourSearch, Periodic, sorted_candidates};
+use crate::real::Real;
+use crate::space::Vector;
+
+/// For each point, the others at `r < radius`, strictly, in ascending order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pairs {
+    starts: Vec<usize>,
+    neighbours: Vec<u32>,
+}
+
+impl Pairs {
+    /// Finds all pairs with any search; periodic images count, under their owner's index.
+    pub fn find<T: Real, const D: usize>(
+        search: &mut dyn NeighbourSearch<T, D>,
+        points: &[Vector<T, D>],
+        radius: T,
+        periodic: &Periodic<T, D>,
+    ) -> Self {
+        let ghosts = periodic.ghosts(points, radius);
+        let mut all = points.to_vec();
+        all.extend(ghosts.iter().map(|g| points[g.owner as usize] + g.shift));
+        search.rebuild(&all, radius);
+        let everything = 0..all.len() as u32;
+        let (mut raw, mut ranges) = (Vec::new(), Vec::new());
+        let (mut starts, mut neighbours) = (vec![0], Vec::new());
+        for (i, x) in points.iter().enumerate() {
+            sorted_candidates(search, x, std::slice::from_ref(&everything), &mut raw, &mut ranges);
+            for j in ranges.iter().cloned().flatten() {
+                if j as usize != i && (*x - all[j as usize]).norm2() < radius * radius {
+                    let owner = (j as usize).checked_sub(points.len()).map_or(j, |g| ghosts[g].owner);
+                    neighbours.push(owner);
+                }
+            }
+            starts.push(neighbours.len());
+        }
+        Self { starts, neighbours }
+    }
+
+    /// The neighbours of point `i`; a point seen through several images appears as often.
+    pub fn of(&self, i: usize) -> &[u32] {
+        &self.neighbours[self.starts[i]..self.starts[i + 1]]
+    }
+
+    /// How many points there are.
+    pub fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// How many directed pairs there are.
+    pub fn count(&self) -> usize {
+        self.neighbours.len()
+    }
+}

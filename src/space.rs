@@ -1,0 +1,301 @@
+//! Vectors of the particle space (2D or 3D) and three-dimensional tensors.
+//!
+//! Stress and strain are always three-dimensional; two dimensions mean plane strain, embedded.
+
+use crate::real::{Num, Real};
+use core::ops::{Add, AddAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use nalgebra::SMatrix;
+
+/// A vector in `D` dimensions, of numbers or of SIMD lanes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Vector<N, const D: usize>(pub [N; D]);
+
+impl<N: Num, const D: usize> Vector<N, D> {
+    /// All components zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self([N::lit(0.0); D])
+    }
+    /// All components equal.
+    #[inline(always)]
+    pub fn splat(x: N) -> Self {
+        Self([x; D])
+    }
+    /// Scalar product.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> N {
+        let mut sum = self.0[0] * other.0[0];
+        for k in 1..D {
+            sum += self.0[k] * other.0[k];
+        }
+        sum
+    }
+    /// Squared length.
+    #[inline(always)]
+    pub fn norm2(self) -> N {
+        self.dot(self)
+    }
+    /// Length.
+    #[inline(always)]
+    pub fn norm(self) -> N {
+        self.norm2().sqrt()
+    }
+    /// The same vector in every lane.
+    #[inline(always)]
+    pub fn spread(x: &Vector<N::Scalar, D>) -> Self {
+        let mut out = Self::zero();
+        for k in 0..D {
+            out.0[k] = N::splat(x.0[k]);
+        }
+        out
+    }
+}
+
+impl<T: Real, const D: usize> Vector<T, D> {
+    /// Rounds the components of a double-precision vector.
+    pub fn of(x: [f64; D]) -> Self {
+        Self(x.map(T::of))
+    }
+    /// The components in double precision.
+    pub fn as_f64(&self) -> [f64; D] {
+        self.0.map(T::as_f64)
+    }
+    /// No component is infinite or NaN.
+    pub fn is_finite(&self) -> bool {
+        self.0.iter().all(|x| x.is_finite())
+    }
+}
+
+impl<N: Num, const D: usize> Default for Vector<N, D> {
+    fn default() -> Self {
+        Self::zero()
+    }
+}
+
+impl<N, const D: usize> Index<usize> for Vector<N, D> {
+    type Output = N;
+    #[inline(always)]
+    fn index(&self, k: usize) -> &N {
+        &self.0[k]
+    }
+}
+
+impl<N, const D: usize> IndexMut<usize> for Vector<N, D> {
+    #[inline(always)]
+    fn index_mut(&mut self, k: usize) -> &mut N {
+        &mut self.0[k]
+    }
+}
+
+impl<N: Num, const D: usize> AddAssign for Vector<N, D> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        for k in 0..D {
+            self.0[k] += other.0[k];
+        }
+    }
+}
+
+impl<N: Num, const D: usize> SubAssign for Vector<N, D> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        for k in 0..D {
+            self.0[k] -= other.0[k];
+        }
+    }
+}
+
+impl<N: Num, const D: usize> MulAssign<N> for Vector<N, D> {
+    #[inline(always)]
+    fn mul_assign(&mut self, factor: N) {
+        for k in 0..D {
+            self.0[k] *= factor;
+        }
+    }
+}
+
+impl<N: Num, const D: usize> Add for Vector<N, D> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(mut self, other: Self) -> Self {
+        self += other;
+        self
+    }
+}
+
+impl<N: Num, const D: usize> Sub for Vector<N, D> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(mut self, other: Self) -> Self {
+        self -= other;
+        self
+    }
+}
+
+impl<N: Num, const D: usize> Mul<N> for Vector<N, D> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(mut self, factor: N) -> Self {
+        self *= factor;
+        self
+    }
+}
+
+impl<N: Num, const D: usize> Neg for Vector<N, D> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::zero() - self
+    }
+}
+
+/// A three-dimensional second-order tensor, row by row: `t[α][β]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tensor<N>(pub [[N; 3]; 3]);
+
+impl<N: Num> Tensor<N> {
+    /// All components zero.
+    pub fn zero() -> Self {
+        Self([[N::lit(0.0); 3]; 3])
+    }
+    /// Embeds a `D × D` tensor; the components beyond `D` are zero (plane strain).
+    pub fn embed<const D: usize>(t: &[[N; D]; D]) -> Self {
+        let mut out = Self::zero();
+        for a in 0..D {
+            for b in 0..D {
+                out.0[a][b] = t[a][b];
+            }
+        }
+        out
+    }
+    /// Sum of the diagonal.
+    pub fn trace(&self) -> N {
+        self.0[0][0] + self.0[1][1] + self.0[2][2]
+    }
+    /// Symmetric part, ½(t + tᵀ).
+    pub fn symmetric(&self) -> SymTensor<N> {
+        let half = N::lit(0.5);
+        let t = &self.0;
+        SymTensor([
+            t[0][0],
+            t[1][1],
+            t[2][2],
+            half * (t[0][1] + t[1][0]),
+            half * (t[1][2] + t[2][1]),
+            half * (t[0][2] + t[2][0]),
+        ])
+    }
+}
+
+/// A symmetric three-dimensional tensor: components xx, yy, zz, xy, yz, xz (ParaView's order).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SymTensor<N>(pub [N; 6]);
+
+impl<N: Num> SymTensor<N> {
+    /// All components zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self([N::lit(0.0); 6])
+    }
+    /// `x` times the unit tensor.
+    pub fn isotropic(x: N) -> Self {
+        let o = N::lit(0.0);
+        Self([x, x, x, o, o, o])
+    }
+    /// Sum of the diagonal.
+    pub fn trace(&self) -> N {
+        self.0[0] + self.0[1] + self.0[2]
+    }
+    /// The tensor less a third of its trace on the diagonal.
+    pub fn deviator(&self) -> Self {
+        *self - Self::isotropic(self.trace() * N::lit(1.0 / 3.0))
+    }
+    /// Double contraction `a : b = a^{αβ} b^{αβ}`.
+    pub fn double_dot(&self, other: &Self) -> N {
+        let (a, b) = (&self.0, &other.0);
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + N::lit(2.0) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5])
+    }
+    /// Contraction with a vector of the particle space, `t^{αβ} x^β`.
+    #[inline(always)]
+    pub fn dot<const D: usize>(&self, x: Vector<N, D>) -> Vector<N, D> {
+        let mut out = Vector::zero();
+        for a in 0..D {
+            for b in 0..D {
+                out.0[a] += self.0[Self::index(a, b)] * x.0[b];
+            }
+        }
+        out
+    }
+    /// Position of component (α, β) in the six.
+    #[inline(always)]
+    pub const fn index(a: usize, b: usize) -> usize {
+        const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+        AT[a][b]
+    }
+}
+
+impl<N: Num> Default for SymTensor<N> {
+    fn default() -> Self {
+        Self::zero()
+    }
+}
+
+impl<N: Num> Add for SymTensor<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(mut self, other: Self) -> Self {
+        for k in 0..6 {
+            self.0[k] += other.0[k];
+        }
+        self
+    }
+}
+
+impl<N: Num> Sub for SymTensor<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(mut self, other: Self) -> Self {
+        for k in 0..6 {
+            self.0[k] -= other.0[k];
+        }
+        self
+    }
+}
+
+impl<N: Num> Mul<N> for SymTensor<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(mut self, factor: N) -> Self {
+        for k in 0..6 {
+            self.0[k] *= factor;
+        }
+        self
+    }
+}
+
+/// Dense linear algebra on `D × D` matrices, done by nalgebra: the one place its bounds appear.
+pub(crate) trait Dense: Sized {
+    /// The inverse, or `None` for a singular matrix.
+    fn inverse<const D: usize>(m: &[[Self; D]; D]) -> Option<[[Self; D]; D]>;
+}
+
+macro_rules! dense {
+    ($t:ident) => {
+        impl Dense for $t {
+            fn inverse<const D: usize>(m: &[[$t; D]; D]) -> Option<[[$t; D]; D]> {
+                let m = SMatrix::<$t, D, D>::from_fn(|row, column| m[row][column]);
+                let inverse = m.try_inverse()?;
+                let mut out = [[0.0; D]; D];
+                for (row, values) in out.iter_mut().enumerate() {
+                    for (column, value) in values.iter_mut().enumerate() {
+                        *value = inverse[(row, column)];
+                    }
+                }
+                Some(out)
+            }
+        }
+    };
+}
+dense!(f32);
+dense!(f64);

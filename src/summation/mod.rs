@@ -1,0 +1,5 @@
+//! Sums over neighbours: the discrete form of values and derivatives.
+
+mod pair_sum;
+
+pub(crate) use pair_sum::{Aligned, MOST, PairFormula, Sums, pair_sum};

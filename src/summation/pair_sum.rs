@@ -1,0 +1,143 @@
+//! The loop over pairs, once for all formulas.
+
+use crate::lanes::{InstructionSet, Lanes, Work, dispatch};
+use crate::neighbours::SlicedList;
+use crate::parallel;
+use crate::real::{Num, Real};
+
+/// Longest record and longest list of sums, in numbers.
+pub(crate) const MOST: usize = 16;
+
+/// What one particle contributes to another, and the sum of it: `sum_i = Σ_j f(i, j)`.
+///
+/// A formula knows no loop, no index and no lane. Everything in it is `#[inline(always)]` and free
+/// of closures (see [`crate::lanes`]).
+pub(crate) trait PairFormula<T: Real>: Sync {
+    /// Length of a particle's record in blocks of four numbers.
+    const BLOCKS: usize;
+    /// How many sums a particle has.
+    const SUMS: usize;
+    /// What a record says about a particle.
+    type At<N: Num<Scalar = T>>: Copy;
+    /// Reads a record.
+    fn read<N: Num<Scalar = T>>(record: &[[N; 4]; 4]) -> Self::At<N>;
+    /// Adds what `j` contributes to `i`.
+    fn add_pair<N: Num<Scalar = T>>(&self, i: &Self::At<N>, j: &Self::At<N>, sums: &mut [N; MOST]);
+}
+
+/// Numbers aligned to a cache line: the packed records of all particles, ghosts and the dummy.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Aligned<T> {
+    data: Vec<T>,
+    offset: usize,
+    len: usize,
+}
+
+impl<T: Real> Aligned<T> {
+    /// Makes room for `len` numbers; their values are whatever was there.
+    pub(crate) fn resize(&mut self, len: usize) {
+        const LINE: usize = 64;
+        let slack = LINE / size_of::<T>();
+        if self.data.len() < len + slack {
+            self.data.resize(len + slack, T::ZERO);
+            self.offset = self.data.as_ptr().align_offset(LINE).min(slack);
+        }
+        self.len = len;
+    }
+    pub(crate) fn as_slice(&self) -> &[T] {
+        &self.data[self.offset..self.offset + self.len]
+    }
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [T] {
+        &mut self.data[self.offset..self.offset + self.len]
+    }
+    /// Bytes held.
+    pub(crate) fn bytes(&self) -> usize {
+        self.data.capacity() * size_of::<T>()
+    }
+}
+
+/// The sums of all particles: slice by slice, sum by sum, lane by lane.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sums<T> {
+    data: Vec<T>,
+    count: usize,
+}
+
+impl<T: Real> Sums<T> {
+    /// Sum number `k` of particle `i`.
+    #[inline(always)]
+    pub(crate) fn get(&self, i: usize, k: usize) -> T {
+        self.data[(i / T::SLICE * self.count + k) * T::SLICE + i % T::SLICE]
+    }
+    /// Bytes held.
+    pub(crate) fn bytes(&self) -> usize {
+        self.data.capacity() * size_of::<T>()
+    }
+}
+
+/// Slices in one task.
+const TASK: usize = 128;
+
+/// Evaluates `formula` for every particle of the list.
+///
+/// # Panics
+/// `records` is shorter than the list needs: every point and the dummy.
+pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
+    formula: &F,
+    list: &SlicedList<T, D>,
+    records: &[T],
+    set: InstructionSet,
+    sums: &mut Sums<T>,
+) {
+    const { assert!(F::BLOCKS <= 4 && F::SUMS <= MOST) };
+    assert!(records.len() >= (list.others() + 1) * 4 * F::BLOCKS);
+    sums.count = F::SUMS;
+    sums.data.resize(list.slices() * F::SUMS * T::SLICE, T::ZERO);
+    parallel::for_each_part(&mut sums.data, F::SUMS * T::SLICE, TASK, &|first, out| {
+        dispatch(set, Task { formula, list, records, first, out });
+    });
+}
+
+struct Task<'a, T, F, const D: usize> {
+    formula: &'a F,
+    list: &'a SlicedList<T, D>,
+    records: &'a [T],
+    first: usize,
+    out: &'a mut [T],
+}
+
+impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
+    type Out = ();
+    #[inline(always)]
+    fn run<L: Lanes<Scalar = T>>(self) {
+        let records = self.records.as_ptr();
+        let slices = self.out.len() / (F::SUMS * T::SLICE);
+        for s in 0..slices {
+            let rows = self.list.rows(self.first + s);
+            for group in 0..T::SLICE / L::WIDTH {
+                let mut own = [0; 16];
+                for lane in 0..L::WIDTH {
+                    let i = (self.first + s) * T::SLICE + group * L::WIDTH + lane;
+                    own[lane] = i.min(self.list.others()) as u32;
+                }
+                let mut sums = [L::lit(0.0); MOST];
+                // SAFETY: every index of the list and every own index is at most `others()`, and
+                // `pair_sum` has checked that so many records are there.
+                unsafe {
+                    let i = F::read(&L::records(records, own.as_ptr(), F::BLOCKS));
+                    let mut row = rows.as_ptr().add(group * L::WIDTH);
+                    for _ in 0..rows.len() / T::SLICE {
+                        let j = F::read(&L::records(records, row, F::BLOCKS));
+                        self.formula.add_pair(&i, &j, &mut sums);
+                        row = row.wrapping_add(T::SLICE);
+                    }
+                }
+                for k in 0..F::SUMS {
+                    let out = &mut self.out[(s * F::SUMS + k) * T::SLICE + group * L::WIDTH..][..L::WIDTH];
+                    // SAFETY: `out` holds `WIDTH` numbers.
+                    unsafe { sums[k].store(out.as_mut_ptr()) };
+                }
+            }
+        }
+    }
+}
