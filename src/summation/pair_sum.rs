@@ -21,6 +21,11 @@ pub(crate) trait PairFormula<T: Real>: Sync {
     type At<N: Num<Scalar = T>>: Copy;
     /// Reads a record.
     fn read<N: Num<Scalar = T>>(record: &[[N; 4]; 4]) -> Self::At<N>;
+    /// What the sums begin with; zero unless a formula looks for an extreme.
+    #[inline(always)]
+    fn start<N: Num<Scalar = T>>(&self) -> [N; MOST] {
+        [N::lit(0.0); MOST]
+    }
     /// Adds what `j` contributes to `i`.
     fn add_pair<N: Num<Scalar = T>>(&self, i: &Self::At<N>, j: &Self::At<N>, sums: &mut [N; MOST]);
 }
@@ -120,7 +125,7 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
                     let i = (self.first + s) * T::SLICE + group * L::WIDTH + lane;
                     own[lane] = i.min(self.list.others()) as u32;
                 }
-                let mut sums = [L::lit(0.0); MOST];
+                let mut sums: [L; MOST] = self.formula.start();
                 // SAFETY: every index of the list and every own index is at most `others()`, and
                 // `pair_sum` has checked that so many records are there.
                 unsafe {
