@@ -27,7 +27,9 @@ impl<T: Real> DensityDiffusion<T> {
     pub fn coefficient(&self) -> T {
         match *self {
             Self::None => T::ZERO,
-            Self::PartialDensity(d) | Self::TrueDensity(d) | Self::Hydrostatic(d) | Self::Renormalised(d) => d,
+            Self::PartialDensity(d) | Self::TrueDensity(d) | Self::Hydrostatic(d) | Self::Renormalised(d) => {
+                d
+            }
         }
     }
 }
@@ -73,7 +75,14 @@ impl<T: Real, const D: usize> PairDiffusion<T, D> {
     /// `ψ_ij·∇W` of (54) over `2ρ̃₀`, per volume of `j`: since `ψ = 2(ρ_i − ρ_j) x/r²` and `∇W = F x`,
     /// that is `(ρ_i − ρ_j)/ρ̃₀ · F`, less the part that gravity explains.
     #[inline(always)]
-    pub(crate) fn rate<N: Num<Scalar = T>>(&self, own: N, other: N, x: Vector<N, D>, slope: N, density_sum: N) -> N {
+    pub(crate) fn rate<N: Num<Scalar = T>>(
+        &self,
+        own: N,
+        other: N,
+        x: Vector<N, D>,
+        slope: N,
+        density_sum: N,
+    ) -> N {
         let weight = N::splat(self.uniform) + N::splat(self.by_density) * density_sum;
         let hydrostatic =
             Vector::spread(&self.slope).dot(x) * (N::lit(1.0) + N::splat(self.bend) * (own + other));

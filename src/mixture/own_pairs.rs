@@ -50,13 +50,15 @@ pub(crate) const fn record_length(dimension: usize, stress: bool) -> usize {
     2 * dimension + 4 + if stress { dimension * (dimension + 1) / 2 } else { 0 }
 }
 
-impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T> for OwnPairs<T, K, D, STRESS> {
+impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T>
+    for OwnPairs<T, K, D, STRESS>
+{
     const BLOCKS: usize = record_length(D, STRESS).div_ceil(4);
     const SUMS: usize = D + sum::COUNT;
     type At<N: Num<Scalar = T>> = Own<N, D>;
 
     #[inline(always)]
-    fn start<N: Num<Scalar = T>>() -> [N; MOST] {
+    fn start<N: Num<Scalar = T>>(&self) -> [N; MOST] {
         let mut sums = [N::lit(0.0); MOST];
         sums[D + sum::CLOSEST] = N::splat(T::INFINITY);
         sums

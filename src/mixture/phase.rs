@@ -1,6 +1,6 @@
 //! One constituent: its law and every per-particle array.
 
-use super::wall::Wall;
+use super::wall::{Wall, WallKind};
 use crate::error::ParameterError;
 use crate::material::{Material, Memory};
 use crate::real::Real;
@@ -46,6 +46,8 @@ pub struct Phase<T: Real, const D: usize, M: Material<T>> {
     pub(crate) pressure: Vec<T>,
     /// τ \[Pa\]; empty while the law has none.
     pub(crate) deviator: Vec<SymTensor<T>>,
+    /// Acceleration of each wall particle, zero where nothing moves \[m/s²\].
+    pub(crate) wall_acceleration: Vec<Vector<T, D>>,
 }
 
 impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
@@ -65,6 +67,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             rate: Rates { acceleration: Vec::new(), excess: Vec::new(), memory: Vec::new() },
             pressure: Vec::new(),
             deviator: Vec::new(),
+            wall_acceleration: Vec::new(),
         }
     }
 
@@ -100,6 +103,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             self.half.velocity[i] = self.now.velocity[i];
         }
         self.wall_particles += positions.len();
+        self.wall_acceleration.resize(self.wall_particles, Vector::zero());
         self.walls.push(wall);
         Ok(())
     }
@@ -197,6 +201,19 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// The number each particle was given when it was added; the arrays are re-sorted now and then.
     pub fn ids(&self) -> &[u32] {
         &self.id
+    }
+
+    /// Whether the fields of wall particle `i` evolve, as those of a dynamic wall do.
+    #[inline(always)]
+    pub(crate) fn is_evolving(&self, i: usize) -> bool {
+        i >= self.wall_particles || self.walls[usize::from(self.body[i])].kind() == WallKind::Dynamic
+    }
+
+    /// Bytes held.
+    pub(crate) fn bytes(&self) -> usize {
+        let per_particle =
+            4 + 2 + 4 * size_of::<Vector<T, D>>() + 6 * size_of::<T>() + 3 * size_of::<M::Memory>();
+        self.position.capacity() * per_particle + self.deviator.capacity() * size_of::<SymTensor<T>>()
     }
 
     /// Which wall each of the first [`wall_particles`](Self::wall_particles) belongs to.
@@ -301,6 +318,13 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         }
     }
 
+    pub(crate) fn fields_mut(&mut self, moment: Moment) -> &mut Fields<T, D, M::Memory> {
+        match moment {
+            Moment::Now => &mut self.now,
+            Moment::Half => &mut self.half,
+        }
+    }
+
     /// Puts all arrays into another order: particle `order[k]` comes to place `k`.
     pub(crate) fn permute(&mut self, order: &[u32]) {
         permute(&mut self.id, order);
@@ -309,6 +333,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         permute(&mut self.mass, order);
         permute(&mut self.volume_fraction, order);
         permute(&mut self.pressure, order);
+        permute(&mut self.wall_acceleration, &order[..self.wall_particles]);
         for fields in [&mut self.now, &mut self.half] {
             permute(&mut fields.velocity, order);
             permute(&mut fields.excess, order);

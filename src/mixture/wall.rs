@@ -63,7 +63,10 @@ impl<T: Real, const D: usize> Wall<T, D> {
 
     /// The same wall, moving with the velocity `velocity(x, t)` \[m/s\] of a place x \[m\] on it at
     /// time t \[s\].
-    pub fn moving(mut self, velocity: impl Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync + 'static) -> Self {
+    pub fn moving(
+        mut self,
+        velocity: impl Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync + 'static,
+    ) -> Self {
         self.motion = Some(Arc::new(velocity));
         self
     }
@@ -83,4 +86,3 @@ impl<T: Real, const D: usize> Wall<T, D> {
         self.motion.as_ref().map_or_else(Vector::zero, |motion| motion(x, t))
     }
 }
-

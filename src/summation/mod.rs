@@ -2,6 +2,8 @@
 
 mod neighbourhood;
 mod pair_sum;
+mod record;
 
 pub use neighbourhood::Neighbourhood;
 pub(crate) use pair_sum::{Aligned, MOST, PairFormula, Sums, pair_sum};
+pub(crate) use record::{Record, add_vector, number, vector};
