@@ -15,8 +15,8 @@ pub enum Account {
     Reinitialisation,
     /// Moving walls.
     WallWork,
-    /// Compression of extrapolated walls, whose density does not evolve.
-    WallCompression,
+    /// Compression of extrapolated walls, whose density is given, not evolved.
+    WallExtrapolation,
     /// Body forces without potential.
     External,
     /// Return of a law's memory to an admissible state.
@@ -31,7 +31,7 @@ impl Account {
         Self::Viscosity,
         Self::Reinitialisation,
         Self::WallWork,
-        Self::WallCompression,
+        Self::WallExtrapolation,
         Self::External,
         Self::Admission,
     ];
@@ -44,7 +44,7 @@ impl Account {
             Self::Viscosity => "viscosity",
             Self::Reinitialisation => "reinitialisation",
             Self::WallWork => "wall_work",
-            Self::WallCompression => "wall_compression",
+            Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
             Self::Admission => "admission",
         }

@@ -52,7 +52,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     }
 
     /// Pressure and velocity of extrapolated walls (Adami et al. 2012):
-    /// `p_w = ⟨p⟩ + (g − a_w)·⟨ρ̃ (x_w − x)⟩`, `v_w → 2v_w − ⟨v⟩` without slip.
+    /// `p_w = ⟨p⟩ + (g − a_w)·⟨ρ̃ (x_w − x)⟩`; viscosity sees `2v_w − ⟨v⟩`
+    /// without slip, and a wall gliding along with the fluid with free slip.
     pub(super) fn extrapolate_walls(&mut self) {
         if !self.has_extrapolated_walls() {
             return;
@@ -79,38 +80,46 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             &self.scratch.records,
             &mut self.scratch.sums,
         );
-        let sums = &self.scratch.sums;
         self.scratch.wall_velocity.clear();
         for i in 0..self.water.wall_particles() {
-            let v_wall = self.water.now.velocity[i];
-            let WallKind::Extrapolated { slip, suction } =
-                self.water.walls()[usize::from(self.water.body[i])].kind()
-            else {
-                self.scratch.wall_velocity.push(v_wall);
-                continue;
-            };
-            let weight = sums.get(i, extrapolation::sum::WEIGHT);
-            let (mut pressure, mut seen) = (T::ZERO, v_wall);
-            if weight > T::ZERO {
-                let fall = self.gravity - self.water.wall_acceleration[i];
-                let lever: Vector<T, D> = vector_sum(sums, i, extrapolation::sum::LEVER);
-                let mean: Vector<T, D> = vector_sum(sums, i, extrapolation::sum::LEVER + D);
-                pressure = (sums.get(i, extrapolation::sum::PRESSURE) + fall.dot(lever)) / weight;
-                let mean = mean * (T::ONE / weight);
-                seen = match slip {
-                    Slip::NoSlip => v_wall + v_wall - mean,
-                    Slip::FreeSlip => mean,
-                };
-            }
-            if !suction {
-                pressure = pressure.max(T::ZERO);
-            }
-            let excess = self.water.material().compression(pressure) * self.water.volume_fraction[i];
-            self.water.pressure[i] = pressure;
-            self.water.now.excess[i] = excess;
-            self.water.half.excess[i] = excess;
-            self.scratch.wall_velocity.push(seen);
+            let shown = self.extrapolate_wall(i);
+            self.scratch.wall_velocity.push(shown);
         }
+    }
+
+    /// Sets pressure and density of wall particle `i`; returns the velocity it shows to viscosity.
+    fn extrapolate_wall(&mut self, i: usize) -> Vector<T, D> {
+        let v_wall = self.water.now.velocity[i];
+        let WallKind::Extrapolated { slip, suction } =
+            self.water.walls()[usize::from(self.water.body[i])].kind()
+        else {
+            return v_wall;
+        };
+        let sums = &self.scratch.sums;
+        let weight = sums.get(i, extrapolation::sum::WEIGHT);
+        let (mut pressure, mut shown) = (T::ZERO, v_wall);
+        if weight > T::ZERO {
+            let fall = self.gravity - self.water.wall_acceleration[i];
+            let lever: Vector<T, D> = vector_sum(sums, i, extrapolation::sum::LEVER);
+            let mean: Vector<T, D> = vector_sum(sums, i, extrapolation::sum::LEVER + D);
+            pressure = (sums.get(i, extrapolation::sum::PRESSURE) + fall.dot(lever)) / weight;
+            let slip_velocity = mean * (T::ONE / weight) - v_wall;
+            shown = match slip {
+                Slip::NoSlip => v_wall - slip_velocity,
+                // The lever points from the fluid into the wall.
+                Slip::FreeSlip => {
+                    v_wall + slip_velocity - lever * (lever.dot(slip_velocity) / lever.norm2().max(tiny()))
+                }
+            };
+        }
+        if !suction {
+            pressure = pressure.max(T::ZERO);
+        }
+        let excess = self.water.material().compression(pressure) * self.water.volume_fraction[i];
+        self.water.pressure[i] = pressure;
+        self.water.now.excess[i] = excess;
+        self.water.half.excess[i] = excess;
+        shown
     }
 
     /// Velocity gradient (62) → deviatoric stress (14), (15) and rate of the memory.
@@ -128,7 +137,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             <VelocityGradient<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO; 4][..D + 1],
             &|i, record: &mut [T]| {
-                record[..D].copy_from_slice(&wall_velocity.get(i).unwrap_or(&water.now.velocity[i]).0);
+                let v = wall_velocity.get(i).unwrap_or(&water.now.velocity[i]);
+                record[..D].copy_from_slice(&v.0);
                 record[D] = match weight {
                     GradientWeight::Conjugate => water.mass[i],
                     GradientWeight::Printed => water.volume(i),
@@ -426,6 +436,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             taken[Account::Reinitialisation] += lost;
         }
     }
+}
+
+/// Keeps `x/x` finite at `x = 0`.
+fn tiny<T: Real>() -> T {
+    T::of(1e-30)
 }
 
 /// The vector whose components are sums `k…` of particle `i`.

@@ -27,7 +27,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             let diffusion = water.rate.excess[i].as_f64() * reference - compression;
             powers[Account::DensityDiffusion] -= stores * diffusion;
         } else {
-            powers[Account::WallCompression] += stores * compression;
+            powers[Account::WallExtrapolation] += stores * compression;
         }
         if i < water.wall_particles() {
             powers[Account::WallWork] += mass * a.dot(water.now.velocity[i]).as_f64();

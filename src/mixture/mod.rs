@@ -89,7 +89,7 @@ struct Scratch<T: Real, const D: usize> {
     records: Aligned<T>,
     sums: Sums<T>,
     extra: Sums<T>,
-    /// The velocity the fluid sees at each wall particle \[m/s\]; empty where walls do not extrapolate.
+    /// The velocity viscosity sees at each wall particle \[m/s\]; empty where no wall extrapolates.
     wall_velocity: Vec<Vector<T, D>>,
 }
 

@@ -8,10 +8,10 @@ use std::sync::Arc;
 /// How a fluid moves along an extrapolated wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Slip {
-    /// It sticks: the wall particle carries the mirrored velocity `2v_w − ⟨v⟩`.
+    /// It sticks: viscosity sees the mirrored velocity `2v_w − ⟨v⟩`.
     #[default]
     NoSlip,
-    /// It glides: the wall particle carries the fluid's velocity and no shear stress.
+    /// It glides: viscosity sees a wall that moves along, without shear stress.
     FreeSlip,
 }
 

@@ -85,7 +85,6 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
         self.particles
     }
 
-
     /// How many points a row may name; the dummy index is this number.
     pub(crate) fn others(&self) -> usize {
         self.others
