@@ -9,6 +9,8 @@ pub mod parallel;
 pub mod real;
 pub mod space;
 pub mod summation;
+#[cfg(feature = "verify")]
+pub mod verify;
 
 pub use lanes::{InstructionSet, UnknownInstructionSet};
 pub use real::{Num, Real};
