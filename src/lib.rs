@@ -15,6 +15,8 @@ pub mod simulation;
 pub mod space;
 pub mod summation;
 pub mod time;
+#[cfg(feature = "verify")]
+pub mod verify;
 
 pub use lanes::{InstructionSet, UnknownInstructionSet};
 pub use real::{Num, Real};

@@ -112,10 +112,10 @@ macro_rules! lanes {
                         let record = index.add(lane).read_volatile() as usize;
                         at[lane] = records.add(record * (4 * blocks));
                     }
+                    let columns = transpose::$name(&at, blocks);
                     for b in 0..blocks {
-                        let columns = transpose::$name(&at, 4 * b);
                         for k in 0..4 {
-                            out[b][k] = Self(columns[k]);
+                            out[b][k] = Self(columns[b][k]);
                         }
                     }
                 }
@@ -129,8 +129,7 @@ macro_rules! lanes {
             #[inline(always)]
             unsafe fn compress(first: u32, mask: u32, out: *mut u32) -> usize {
                 // SAFETY: the caller's promise and the rule of dispatch.
-                unsafe { compress::$name(first, mask, out) };
-                mask.count_ones() as usize
+                unsafe { compress::$name(first, mask, out) }
             }
         }
     };
