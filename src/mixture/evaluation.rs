@@ -277,7 +277,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
                 let volume = water.mass[i] / density;
                 let pull = water.volume_fraction[i] / (density * density);
                 record[..D].copy_from_slice(&water.now.velocity[i].0);
-                record[D] = volume;
+                record[D] = if water.is_gliding(i) { -volume } else { volume };
                 record[D + 1] = density;
                 record[D + 2] = water.pressure[i] * pull;
                 record[D + 3] = if partial { density / reference } else { water.compression(i) };

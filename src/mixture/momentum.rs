@@ -30,15 +30,21 @@ impl<T: Real> Viscosity<T> {
         }
     }
 
-    /// Π_ij (59), from `v_ij·x_ij`, `r²` and `ρ_i + ρ_j`:
-    /// `(−η₁ c̄ μ + η₂ μ²)/ρ̄` with `μ = h v·x/(r² + 0.01 h²)` while approaching, else 0.
+    /// Π_ij (59), from [`approach`], `r²` and `ρ_i + ρ_j`: `(−η₁ c̄ μ + η₂ μ²)/ρ̄` with
+    /// `μ = h v·x/(r² + 0.01 h²)`.
     #[inline(always)]
-    pub(crate) fn pressure<N: Num<Scalar = T>>(&self, v_dot_x: N, r2: N, density_sum: N) -> N {
-        let approach = v_dot_x.min(N::lit(0.0));
+    pub(crate) fn pressure<N: Num<Scalar = T>>(&self, approach: N, r2: N, density_sum: N) -> N {
         let range = r2 + N::splat(self.softening);
         let ratio = approach / (range * density_sum); // the only division of a pair
         ratio * (N::splat(self.quadratic) * (ratio * density_sum) - N::splat(self.linear)) // (59)
     }
+}
+
+/// `v_ij·x_ij` while the two approach, else 0 (59); 0 too if `grip` is negative.
+#[inline(always)]
+pub(crate) fn approach<N: Num>(v_dot_x: N, grip: N) -> N {
+    // Any grip times this exceeds any v·x: the sign alone decides.
+    v_dot_x.max(N::lit(-1e20) * grip).min(N::lit(0.0))
 }
 
 /// `p_i φ_i/ρ_i² + p_j φ_j/ρ_j² + Π_ij`: the isotropic part of (55), (58).

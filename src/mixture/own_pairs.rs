@@ -21,6 +21,8 @@ pub(crate) struct Own<N: Copy, const D: usize> {
     v: Vector<N, D>,
     /// m/ρ \[m³\].
     volume: N,
+    /// The same, but negative for a wall that artificial viscosity does not see.
+    grip: N,
     /// Partial density ρ.
     density: N,
     /// pφ/ρ².
@@ -80,7 +82,8 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         Own {
             x: vector(record, 0),
             v: vector(record, D),
-            volume: number(record, 2 * D),
+            volume: magnitude(number(record, 2 * D)),
+            grip: number(record, 2 * D),
             density: number(record, 2 * D + 1),
             pressure: number(record, 2 * D + 2),
             diffusing: number(record, 2 * D + 3),
@@ -95,7 +98,8 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         let slope = self.kernel.slope(r2); // ∇W = F x (47)
         let mass_slope = j.density * j.volume * slope;
         let density_sum = i.density + j.density;
-        let artificial = self.viscosity.pressure(v_dot_x, r2, density_sum); // (59)
+        let approach = momentum::approach(v_dot_x, i.grip.min(j.grip));
+        let artificial = self.viscosity.pressure(approach, r2, density_sum); // (59)
         let pressure = momentum::isotropic(i.pressure, j.pressure, artificial);
         let mut acceleration = x * -(pressure * mass_slope); // (58), first sum
         if STRESS {
@@ -111,4 +115,9 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         sums[D + sum::VISCOUS_LOSS] += artificial * compression;
         sums[D + sum::CLOSEST] = sums[D + sum::CLOSEST].min(r2);
     }
+}
+
+#[inline(always)]
+fn magnitude<N: Num>(x: N) -> N {
+    x.max(-x)
 }

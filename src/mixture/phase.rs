@@ -1,6 +1,6 @@
 //! One constituent: its law and every per-particle array.
 
-use super::wall::{Wall, WallKind};
+use super::wall::{Slip, Wall, WallKind};
 use crate::error::ParameterError;
 use crate::material::{Material, Memory};
 use crate::real::Real;
@@ -207,6 +207,16 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     #[inline(always)]
     pub(crate) fn is_evolving(&self, i: usize) -> bool {
         i >= self.wall_particles || self.walls[usize::from(self.body[i])].kind() == WallKind::Dynamic
+    }
+
+    /// Whether particle `i` is of a wall along which the fluid glides.
+    #[inline(always)]
+    pub(crate) fn is_gliding(&self, i: usize) -> bool {
+        i < self.wall_particles
+            && matches!(
+                self.walls[usize::from(self.body[i])].kind(),
+                WallKind::Extrapolated { slip: Slip::FreeSlip, .. }
+            )
     }
 
     /// Bytes held.

@@ -11,7 +11,8 @@ pub enum Slip {
     /// It sticks: viscosity sees the mirrored velocity `2v_w − ⟨v⟩`.
     #[default]
     NoSlip,
-    /// It glides: viscosity sees a wall that moves along, without shear stress.
+    /// It glides: viscosity sees a wall that moves along, without shear stress, and artificial
+    /// viscosity does not see the wall.
     FreeSlip,
 }
 
