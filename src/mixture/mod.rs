@@ -11,6 +11,7 @@ mod ledger;
 mod momentum;
 mod own_pairs;
 mod phase;
+mod probe;
 mod reinitialisation;
 mod renormalised;
 mod velocity_gradient;
@@ -20,6 +21,7 @@ pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
+pub use probe::Probe;
 pub use wall::{Slip, Wall, WallKind};
 
 use crate::budget::{Account, Works};
