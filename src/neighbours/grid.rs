@@ -13,11 +13,11 @@ pub(crate) struct Grid<T, const D: usize> {
 
 impl<T: Real, const D: usize> Grid<T, D> {
     /// Covers `points` with cells of size `size`, or larger ones where the cloud is so sparse that
-    /// there would be many more cells than points.
+    /// there would be many more cells than points. Points that are nowhere do not count.
     pub(crate) fn cover(points: &[Vector<T, D>], size: T) -> Self {
-        let mut low = points.first().copied().unwrap_or_default();
+        let mut low = points.iter().copied().find(Vector::is_finite).unwrap_or_default();
         let mut high = low;
-        for x in points {
+        for x in points.iter().filter(|x| x.is_finite()) {
             for k in 0..D {
                 low[k] = low[k].min(x[k]);
                 high[k] = high[k].max(x[k]);

@@ -82,11 +82,6 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
         self.particles
     }
 
-    /// How many slices there are.
-    pub(crate) fn slices(&self) -> usize {
-        self.particles.div_ceil(T::SLICE)
-    }
-
     /// How many points a row may name; the dummy index is this number.
     pub(crate) fn others(&self) -> usize {
         self.others

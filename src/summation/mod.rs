@@ -1,7 +1,14 @@
 //! Sums over neighbours: the discrete form of values and derivatives.
 
+mod corrections;
+mod formulas;
+mod neighbourhood;
+mod operators;
 mod pair_sum;
-#[cfg(test)]
-mod tests;
+mod record;
 
+pub use corrections::Corrections;
+pub use neighbourhood::Neighbourhood;
+pub use operators::{Cloud, Form};
 pub(crate) use pair_sum::{Aligned, MOST, PairFormula, Sums, pair_sum};
+pub(crate) use record::{Record, add_vector, number, vector};

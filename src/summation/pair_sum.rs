@@ -83,13 +83,14 @@ impl<T: Real> Sums<T> {
 /// Slices in one task.
 const TASK: usize = 128;
 
-/// Evaluates `formula` for every particle of the list.
+/// Evaluates `formula` for the first `particles` of the list, whole slices of them.
 ///
 /// # Panics
 /// `records` is shorter than the list needs: every point and the dummy.
 pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     formula: &F,
     list: &SlicedList<T, D>,
+    particles: usize,
     records: &[T],
     set: InstructionSet,
     sums: &mut Sums<T>,
@@ -97,7 +98,8 @@ pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     const { assert!(F::BLOCKS <= 4 && F::SUMS <= MOST) };
     assert!(records.len() >= (list.others() + 1) * 4 * F::BLOCKS);
     sums.count = F::SUMS;
-    sums.data.resize(list.slices() * F::SUMS * T::SLICE, T::ZERO);
+    let slices = particles.min(list.particles()).div_ceil(T::SLICE);
+    sums.data.resize(slices * F::SUMS * T::SLICE, T::ZERO);
     parallel::for_each_part(&mut sums.data, F::SUMS * T::SLICE, TASK, &|first, out| {
         dispatch(set, Task { formula, list, records, first, out });
     });
@@ -146,3 +148,6 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

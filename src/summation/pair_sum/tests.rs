@@ -187,7 +187,7 @@ fn bits_agree<T: Real, const D: usize>(counts: [usize; D], skin: f64) {
             let (mut list, mut sums) = (SlicedList::default(), Sums::default());
             Threads::new(threads).unwrap().install(|| {
                 list.build(&search, &listed, listed.len(), radius, 0, &everything, set);
-                pair_sum(&water, &list, records.as_slice(), set, &mut sums);
+                pair_sum(&water, &list, listed.len(), records.as_slice(), set, &mut sums);
             });
             for (at, &bits) in expected.iter().enumerate() {
                 let (i, k) = (at / (D + 4), at % (D + 4));
@@ -241,7 +241,7 @@ fn rows_agree<T: Real, const D: usize>(counts: [usize; D], search: &mut dyn Neig
                 .collect();
             assert_eq!(list.of(i).collect::<Vec<_>>(), near, "{} {D}D {name}: {i}", T::NAME);
         }
-        for s in 0..list.slices() {
+        for s in 0..list.particles().div_ceil(T::SLICE) {
             let rows = list.rows(s);
             assert_eq!(rows.len() % T::SLICE, 0);
             assert!(rows.iter().all(|&j| j as usize <= list.others()));
@@ -285,5 +285,5 @@ fn a_list_whose_building_failed_is_empty() {
         list.build(&Broken, few, few.len(), 2.3, 0, &[vec![0..20], vec![0..20]], set);
     }));
     assert!(failed.is_err());
-    assert_eq!((list.slices(), list.others()), (0, 0));
+    assert_eq!((list.particles(), list.others()), (0, 0));
 }

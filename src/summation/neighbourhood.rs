@@ -1,0 +1,338 @@
+//! A cloud of particles, who is near whom in it, and the sums over them.
+
+use super::{Aligned, PairFormula, Sums, pair_sum};
+use crate::lanes::InstructionSet;
+use crate::neighbours::{Ghost, Grid, NeighbourSearch, Periodic, SlicedList, sorted_candidates};
+use crate::parallel::{self, CHUNK};
+use crate::real::Real;
+use crate::space::Vector;
+
+/// The neighbours of a cloud of particles within the support κh of a kernel.
+///
+/// The list reaches a skin further than the support, so it stays right until some particle has moved
+/// half the skin: [`is_stale`](Self::is_stale) tells when. The first particles of the cloud may be
+/// walls: a wall particle does not list other walls.
+///
+/// Between two rebuilds positions may change, but not their number or order. Under periodicity the
+/// positions have to be inside the box when the list is rebuilt ([`Periodic::wrap`]), and leave it
+/// freely until the next rebuild.
+#[derive(Debug)]
+pub struct Neighbourhood<T: Real, const D: usize> {
+    search: Box<dyn NeighbourSearch<T, D>>,
+    support: T,
+    skin: T,
+    periodic: Periodic<T, D>,
+    set: InstructionSet,
+    /// Particles and ghosts where they were at the last rebuild.
+    points: Vec<Vector<T, D>>,
+    particles: usize,
+    ghosts: Vec<Ghost<T, D>>,
+    list: SlicedList<T, D>,
+    /// Each coordinate of the dummy.
+    far: T,
+    rebuilds: u64,
+}
+
+impl<T: Real, const D: usize> Neighbourhood<T, D> {
+    /// Neighbours at `r < support` \[m\], with a skin of a tenth of it, nothing periodic, and the
+    /// widest lanes of the machine.
+    pub fn new(search: Box<dyn NeighbourSearch<T, D>>, support: T) -> Self {
+        Self {
+            search,
+            support,
+            skin: support * T::of(0.1),
+            periodic: Periodic::none(),
+            set: InstructionSet::detect(),
+            points: Vec::new(),
+            particles: 0,
+            ghosts: Vec::new(),
+            list: SlicedList::default(),
+            far: T::ZERO,
+            rebuilds: 0,
+        }
+    }
+
+    /// Lists neighbours `skin` \[m\] beyond the support. Wider is rebuilt less often, but has more
+    /// pairs to look at; what is not positive and finite means no skin.
+    pub fn with_skin(mut self, skin: T) -> Self {
+        self.skin = if skin > T::ZERO && skin.is_finite() { skin } else { T::ZERO };
+        self
+    }
+
+    /// Lets space repeat itself.
+    pub fn with_periodic(mut self, periodic: Periodic<T, D>) -> Self {
+        self.periodic = periodic;
+        self
+    }
+
+    /// Uses these instructions; results do not depend on them.
+    pub fn with_instruction_set(mut self, set: InstructionSet) -> Self {
+        self.set = set;
+        self
+    }
+
+    /// Whether the list no longer serves `positions`: their number is another, or one of them has
+    /// moved so far (or is not a number) that a pair might be missing.
+    pub fn is_stale(&self, positions: &[Vector<T, D>]) -> bool {
+        if self.rebuilds == 0 || positions.len() != self.particles {
+            return true;
+        }
+        let farthest2 = parallel::reduce(
+            positions.len(),
+            T::ZERO,
+            |range| {
+                let mut most = T::ZERO;
+                for i in range {
+                    let moved2 = (positions[i] - self.points[i]).norm2();
+                    // Written so that NaN counts as far.
+                    most = if moved2 <= most { most } else { moved2 };
+                    if !moved2.is_finite() {
+                        return T::INFINITY;
+                    }
+                }
+                most
+            },
+            |a, b| if a > b { a } else { b },
+        );
+        // Two particles may approach each other. A hair early, so that rounding loses no pair.
+        farthest2 * T::of(4.0) > self.skin * self.skin * T::of(0.998)
+    }
+
+    /// The order that sorts the walls (the first `walls` positions) and the others by cell; particles
+    /// of a cell keep their order. Permute all particle arrays by it (`new[k] = old[order[k]]`), then
+    /// [`rebuild`](Self::rebuild): sorted neighbours are near in memory too.
+    pub fn cell_order(&self, positions: &[Vector<T, D>], walls: usize) -> Vec<u32> {
+        let (points, _) = self.with_images(positions);
+        let grid = self.grid(&points);
+        let walls = walls.min(positions.len());
+        let mut order = Vec::with_capacity(positions.len());
+        grid.order(&points, 0..walls, &mut order);
+        grid.order(&points, walls..positions.len(), &mut order);
+        order
+    }
+
+    /// Lists all neighbours anew. Rows of walls (the first `walls` positions) name no walls.
+    pub fn rebuild(&mut self, positions: &[Vector<T, D>], walls: usize) {
+        let count = positions.len();
+        let walls = walls.min(count);
+        (self.points, self.ghosts) = self.with_images(positions);
+        let wall_ghosts = self.ghosts.partition_point(|ghost| (ghost.owner as usize) < walls);
+        self.sort_ghosts(count, wall_ghosts);
+        self.particles = count;
+        self.rebuilds += 1;
+        self.far = far_away(&self.points, self.support);
+
+        let reach = self.support + self.skin;
+        self.search.rebuild(&self.points, reach);
+        let all = self.points.len() as u32;
+        let others = vec![walls as u32..count as u32, (count + wall_ghosts) as u32..all];
+        let allowed = [others, std::iter::once(0..all).collect()];
+        self.list.build(&*self.search, &self.points, count, reach, walls, &allowed, self.set);
+    }
+
+    /// The positions and their images behind them, ghosts by owner.
+    fn with_images(&self, positions: &[Vector<T, D>]) -> (Vec<Vector<T, D>>, Vec<Ghost<T, D>>) {
+        let ghosts = self.periodic.ghosts(positions, self.support + self.skin);
+        let mut points = Vec::with_capacity(positions.len() + ghosts.len());
+        points.extend_from_slice(positions);
+        points.extend(ghosts.iter().map(|ghost| positions[ghost.owner as usize] + ghost.shift));
+        (points, ghosts)
+    }
+
+    /// The cells of the default search, so that what is sorted here is sorted for it.
+    fn grid(&self, points: &[Vector<T, D>]) -> Grid<T, D> {
+        Grid::cover(points, (self.support + self.skin) * (T::ONE + T::of(16.0) * T::EPSILON))
+    }
+
+    /// Sorts the ghosts of walls, then those of the others, by cell.
+    fn sort_ghosts(&mut self, count: usize, wall_ghosts: usize) {
+        if self.ghosts.is_empty() {
+            return;
+        }
+        let grid = self.grid(&self.points);
+        let mut order = Vec::with_capacity(self.ghosts.len());
+        grid.order(&self.points, count..count + wall_ghosts, &mut order);
+        grid.order(&self.points, count + wall_ghosts..self.points.len(), &mut order);
+        self.ghosts = order.iter().map(|&g| self.ghosts[g as usize - count]).collect();
+        let sorted: Vec<_> = order.iter().map(|&g| self.points[g as usize]).collect();
+        self.points[count..].copy_from_slice(&sorted);
+    }
+
+    /// Writes the records of all particles, ghosts and the dummy, `4 · blocks` numbers each: the
+    /// position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has
+    /// `dummy`, and zeros behind it. The dummy stands where kernels vanish; choose its fields so that
+    /// the formula stays finite there (mass zero, density one).
+    ///
+    /// # Panics
+    /// The number of positions is not that of the last rebuild, or a record is too short.
+    pub(crate) fn pack(
+        &self,
+        positions: &[Vector<T, D>],
+        records: &mut Aligned<T>,
+        blocks: usize,
+        dummy: &[T],
+        fields: &(impl Fn(usize, &mut [T]) + Sync),
+    ) {
+        assert_eq!(positions.len(), self.particles);
+        let length = 4 * blocks;
+        records.resize((self.points.len() + 1) * length);
+        let (own, rest) = records.as_mut_slice().split_at_mut(self.particles * length);
+        let (images, last) = rest.split_at_mut(self.ghosts.len() * length);
+        parallel::for_each_part(own, length, CHUNK, &|first, part: &mut [T]| {
+            for (offset, record) in part.chunks_exact_mut(length).enumerate() {
+                record[..D].copy_from_slice(&positions[first + offset].0);
+                fields(first + offset, &mut record[D..]);
+            }
+        });
+        let own = &*own;
+        parallel::for_each_part(images, length, CHUNK, &|first, part: &mut [T]| {
+            for (record, ghost) in part.chunks_exact_mut(length).zip(&self.ghosts[first..]) {
+                let owner = ghost.owner as usize;
+                record.copy_from_slice(&own[owner * length..(owner + 1) * length]);
+                record[..D].copy_from_slice(&(positions[owner] + ghost.shift).0);
+            }
+        });
+        last[..D].fill(self.far);
+        last[D..].fill(T::ZERO);
+        last[D..D + dummy.len()].copy_from_slice(dummy);
+    }
+
+    /// Evaluates a formula for every particle, from the records [`pack`](Self::pack) has written.
+    pub(crate) fn sum<F: PairFormula<T>>(&self, formula: &F, records: &Aligned<T>, sums: &mut Sums<T>) {
+        self.sum_first(self.particles, formula, records, sums);
+    }
+
+    /// The same for the first `count` particles at least, such as the walls.
+    pub(crate) fn sum_first<F: PairFormula<T>>(
+        &self,
+        count: usize,
+        formula: &F,
+        records: &Aligned<T>,
+        sums: &mut Sums<T>,
+    ) {
+        pair_sum(formula, &self.list, count, records.as_slice(), self.set, sums);
+    }
+
+    /// Calls `visit(j, xᵢ − xⱼ, r²)` for the listed neighbours of particle `i` at `r < κh`, strictly
+    /// (41); a periodic image comes under its owner's index. A wall does not see walls.
+    ///
+    /// # Panics
+    /// There is no particle `i`, or the number of positions is not that of the last rebuild.
+    pub fn for_each_neighbour(
+        &self,
+        positions: &[Vector<T, D>],
+        i: usize,
+        mut visit: impl FnMut(usize, Vector<T, D>, T),
+    ) {
+        assert!(positions.len() == self.particles && i < self.particles);
+        for j in self.list.of(i) {
+            self.visit(positions, positions[i], j, &mut visit);
+        }
+    }
+
+    /// Calls `visit(j, x − xⱼ, r²)` for all particles at `r < κh`, strictly, from any `place` x.
+    ///
+    /// # Panics
+    /// The number of positions is not that of the last rebuild.
+    pub fn for_each_near(
+        &self,
+        positions: &[Vector<T, D>],
+        place: &Vector<T, D>,
+        mut visit: impl FnMut(usize, Vector<T, D>, T),
+    ) {
+        assert_eq!(positions.len(), self.particles);
+        let place = self.periodic.wrap(*place);
+        let everything = 0..self.points.len() as u32;
+        let (mut raw, mut ranges) = (Vec::new(), Vec::new());
+        sorted_candidates(&*self.search, &place, std::slice::from_ref(&everything), &mut raw, &mut ranges);
+        for j in ranges.into_iter().flatten() {
+            self.visit(positions, place, j as usize, &mut visit);
+        }
+    }
+
+    fn visit(
+        &self,
+        positions: &[Vector<T, D>],
+        place: Vector<T, D>,
+        j: usize,
+        visit: &mut impl FnMut(usize, Vector<T, D>, T),
+    ) {
+        let (owner, other) = match j.checked_sub(self.particles) {
+            None => (j, positions[j]),
+            Some(g) => {
+                let ghost = &self.ghosts[g];
+                (ghost.owner as usize, positions[ghost.owner as usize] + ghost.shift)
+            }
+        };
+        let offset = place - other;
+        let r2 = offset.norm2();
+        if r2 < self.support * self.support {
+            visit(owner, offset, r2);
+        }
+    }
+
+    /// Support κh \[m\].
+    pub fn support(&self) -> T {
+        self.support
+    }
+    /// How far beyond the support the list reaches \[m\].
+    pub fn skin(&self) -> T {
+        self.skin
+    }
+    /// The periodic directions.
+    pub fn periodic(&self) -> &Periodic<T, D> {
+        &self.periodic
+    }
+    /// The periodic images of the last rebuild: those of walls first, each by cell.
+    pub fn ghosts(&self) -> &[Ghost<T, D>] {
+        &self.ghosts
+    }
+    /// How many particles there were at the last rebuild.
+    pub fn particles(&self) -> usize {
+        self.particles
+    }
+    /// Where the particles were at the last rebuild \[m\].
+    pub fn reference_positions(&self) -> &[Vector<T, D>] {
+        &self.points[..self.particles]
+    }
+    /// How often the list has been rebuilt.
+    pub fn rebuilds(&self) -> u64 {
+        self.rebuilds
+    }
+    /// The instructions the sums use.
+    pub fn instruction_set(&self) -> InstructionSet {
+        self.set
+    }
+    /// The name of the neighbour search.
+    pub fn search_name(&self) -> &'static str {
+        self.search.name()
+    }
+    /// Bytes held, but for those of the search.
+    pub fn bytes(&self) -> usize {
+        self.list.bytes()
+            + self.points.capacity() * size_of::<Vector<T, D>>()
+            + self.ghosts.capacity() * size_of::<Ghost<T, D>>()
+    }
+}
+
+/// A coordinate at least a thousand supports beyond every point, whatever its rounding.
+fn far_away<T: Real, const D: usize>(points: &[Vector<T, D>], support: T) -> T {
+    let largest = parallel::reduce(
+        points.len(),
+        T::ZERO,
+        |range| {
+            let mut most = T::ZERO;
+            for x in points[range].iter().flat_map(|x| x.0) {
+                if x.abs() > most && x.is_finite() {
+                    most = x.abs();
+                }
+            }
+            most
+        },
+        |a, b| if a > b { a } else { b },
+    );
+    largest + largest + T::of(1000.0) * support
+}
+
+#[cfg(test)]
+mod tests;
