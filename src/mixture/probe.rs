@@ -22,6 +22,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     pub fn probe(&self, place: &Vector<T, D>) -> Probe<T, D> {
         let water = &self.water;
         let mut probe = Probe { support: T::ZERO, pressure: T::ZERO, velocity: Vector::zero() };
+        if self.neighbourhood.particles() != water.len() {
+            return probe; // nothing has been evaluated yet
+        }
         self.neighbourhood.for_each_near(&water.position, place, |j, _, r2: T| {
             if j >= water.wall_particles() {
                 let weight = water.volume(j) * self.kernel.value(r2);
