@@ -15,6 +15,8 @@ mod kernels;
 mod lattice_sums;
 mod operators;
 mod operators_exact;
+mod scene;
+mod still_tank;
 
 use alluvium::verify::{Environment, Level, Outcome, Report, Study};
 use flags::Flags;
@@ -24,10 +26,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
-    [kernels::studies(), lattice_sums::studies(), operators::studies(), operators_exact::studies()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        kernels::studies(),
+        lattice_sums::studies(),
+        operators::studies(),
+        operators_exact::studies(),
+        still_tank::studies(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 type Outcomes = Arc<Mutex<Vec<Outcome>>>;
