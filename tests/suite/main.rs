@@ -1,1 +1,5 @@
 //! Integration tests, one binary.
+
+mod kernels;
+mod lattice_sums;
+mod neighbours;
