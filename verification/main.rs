@@ -11,6 +11,7 @@
 
 mod bench;
 mod flags;
+mod identity;
 mod kernels;
 mod lattice_sums;
 mod operators;
@@ -24,10 +25,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
-    [kernels::studies(), lattice_sums::studies(), operators::studies(), operators_exact::studies()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        kernels::studies(),
+        lattice_sums::studies(),
+        identity::studies(),
+        operators::studies(),
+        operators_exact::studies(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 type Outcomes = Arc<Mutex<Vec<Outcome>>>;
