@@ -3,15 +3,15 @@
 use super::{Lanes, Vectors};
 
 macro_rules! scalar {
-    ($t:ident, $slice:literal) => {
+    ($t:ident, $slice:literal, $sse2:ident, $avx2:ident, $avx512:ident) => {
         impl Vectors for $t {
             const SLICE: usize = $slice;
             #[cfg(target_arch = "x86_64")]
-            type Sse2 = $t;
+            type Sse2 = super::x86::$sse2;
             #[cfg(target_arch = "x86_64")]
-            type Avx2 = $t;
+            type Avx2 = super::x86::$avx2;
             #[cfg(target_arch = "x86_64")]
-            type Avx512 = $t;
+            type Avx512 = super::x86::$avx512;
         }
 
         impl Lanes for $t {
@@ -53,5 +53,5 @@ macro_rules! scalar {
         }
     };
 }
-scalar!(f32, 16);
-scalar!(f64, 8);
+scalar!(f32, 16, F32x4, F32x8, F32x16);
+scalar!(f64, 8, F64x2, F64x4, F64x8);

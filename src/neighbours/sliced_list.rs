@@ -5,7 +5,6 @@ use crate::lanes::{InstructionSet, Lanes, Work, dispatch};
 use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
-use core::marker::PhantomData;
 use core::ops::Range;
 
 /// Particles in one part of the list; parts are built side by side.
@@ -18,8 +17,8 @@ pub(crate) struct SlicedList<T, const D: usize> {
     parts: Vec<Part>,
     particles: usize,
     others: usize,
-    coordinates: Vec<Vec<T>>,
-    scalar: PhantomData<T>,
+    /// The points axis by axis, and a slice of padding.
+    coordinates: [Vec<T>; D],
 }
 
 #[derive(Clone, Debug, Default)]
@@ -31,13 +30,7 @@ struct Part {
 
 impl<T: Real, const D: usize> Default for SlicedList<T, D> {
     fn default() -> Self {
-        Self {
-            parts: Vec::new(),
-            particles: 0,
-            others: 0,
-            coordinates: vec![Vec::new(); D],
-            scalar: PhantomData,
-        }
+        Self { parts: Vec::new(), particles: 0, others: 0, coordinates: [const { Vec::new() }; D] }
     }
 }
 
@@ -54,9 +47,12 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
         allowed: &[Vec<Range<u32>>; 2],
         set: InstructionSet,
     ) {
-        assert!(particles <= points.len() && points.len() < u32::MAX as usize);
-        self.particles = particles;
-        self.others = points.len();
+        assert!(particles <= points.len() && points.len() <= i32::MAX as usize);
+        for window in allowed.iter().flatten() {
+            assert!(window.end as usize <= points.len());
+        }
+        // A search is foreign code and may panic: the list is empty until it is complete.
+        (self.particles, self.others) = (0, 0);
         for (axis, coordinates) in self.coordinates.iter_mut().enumerate() {
             coordinates.clear();
             coordinates.extend(points.iter().map(|x| x[axis]));
@@ -78,16 +74,12 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
             };
             dispatch(set, build);
         });
+        (self.particles, self.others) = (particles, points.len());
     }
 
     /// How many particles have rows.
     pub(crate) fn particles(&self) -> usize {
         self.particles
-    }
-
-    /// How many slices there are.
-    pub(crate) fn slices(&self) -> usize {
-        self.particles.div_ceil(T::SLICE)
     }
 
     /// How many points a row may name; the dummy index is this number.
@@ -127,7 +119,7 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
 struct Build<'a, T, const D: usize> {
     search: &'a dyn NeighbourSearch<T, D>,
     points: &'a [Vector<T, D>],
-    coordinates: &'a [Vec<T>],
+    coordinates: &'a [Vec<T>; D],
     particles: Range<usize>,
     radius2: T,
     walls: usize,
@@ -139,75 +131,76 @@ impl<T: Real, const D: usize> Work<T> for Build<'_, T, D> {
     type Out = ();
     #[inline(always)]
     fn run<L: Lanes<Scalar = T>>(self) {
-        let dummy = self.points.len() as u32;
-        let mut columns: Vec<Vec<u32>> = vec![Vec::new(); T::SLICE];
-        let (mut raw, mut ranges) = (Vec::new(), Vec::new());
+        let (mut raw, mut ranges, mut column) = (Vec::new(), Vec::new(), Vec::new());
         self.part.starts.clear();
         self.part.rows.clear();
         for first in self.particles.clone().step_by(T::SLICE) {
-            self.part.starts.push(self.part.rows.len());
-            let mut longest = 0;
-            for lane in 0..T::SLICE {
-                let column = &mut columns[lane];
-                column.clear();
-                let i = first + lane;
-                if i >= self.particles.end {
-                    continue;
-                }
+            let begin = self.part.rows.len();
+            self.part.starts.push(begin);
+            for i in first..self.particles.end.min(first + T::SLICE) {
                 let allowed = &self.allowed[usize::from(i >= self.walls)];
                 sorted_candidates(self.search, &self.points[i], allowed, &mut raw, &mut ranges);
+                column.clear();
                 for range in &ranges {
-                    near::<T, L, D>(&self.points[i], self.coordinates, self.radius2, range, i as u32, column);
+                    self.near::<L>(i as u32, range, &mut column);
                 }
-                longest = longest.max(column.len());
-            }
-            for row in 0..longest {
-                for column in &columns {
-                    self.part.rows.push(column.get(row).copied().unwrap_or(dummy));
-                }
+                self.part.put::<T>(begin, i - first, &column, self.points.len() as u32);
             }
         }
         self.part.starts.push(self.part.rows.len());
     }
 }
 
-/// Appends the indices `j ≠ i` in `range` with `|x − x_j|² < radius2`.
-#[inline(always)]
-fn near<T: Real, L: Lanes<Scalar = T>, const D: usize>(
-    x: &Vector<T, D>,
-    coordinates: &[Vec<T>],
-    radius2: T,
-    range: &Range<u32>,
-    i: u32,
-    column: &mut Vec<u32>,
-) {
-    let (limit, centre) = (L::splat(radius2), Vector::<L, D>::spread(x));
-    let room = (range.end - range.start) as usize + L::WIDTH;
-    column.reserve(room);
-    let mut count = column.len();
-    let mut j = range.start;
-    while j < range.end {
-        let mut r2 = L::lit(0.0);
-        for k in 0..D {
-            debug_assert!(j as usize + L::WIDTH <= coordinates[k].len());
-            // SAFETY: j is below the number of points (ranges are clipped to it) and the
-            // coordinates are padded by the widest lanes.
-            let other = unsafe { L::load(coordinates[k].as_ptr().add(j as usize)) };
-            let d = centre[k] - other;
-            r2 += d * d;
+impl<T: Real, const D: usize> Build<'_, T, D> {
+    /// Appends the indices `j ≠ i` in `range` with `|x_i − x_j|² < radius2`.
+    #[inline(always)]
+    fn near<L: Lanes<Scalar = T>>(&self, i: u32, range: &Range<u32>, column: &mut Vec<u32>) {
+        let (limit, centre) = (L::splat(self.radius2), Vector::<L, D>::spread(&self.points[i as usize]));
+        column.reserve((range.end - range.start) as usize + L::WIDTH);
+        let mut count = column.len();
+        let mut j = range.start;
+        while j < range.end {
+            // SAFETY: `sorted_candidates` clips the ranges to `allowed` and `build` has checked that
+            // those end with the points, so j is a point; the coordinates go on for a slice more.
+            let r2 = (centre - unsafe { self.places::<L>(j as usize) }).norm2();
+            let within = (1u32 << (range.end - j).min(L::WIDTH as u32)) - 1;
+            let other = !(1u32.checked_shl(i.wrapping_sub(j)).unwrap_or(0));
+            // SAFETY: `reserve` made room for the whole range and one more set of lanes.
+            count +=
+                unsafe { L::compress(j, r2.less(limit) & within & other, column.as_mut_ptr().add(count)) };
+            j += L::WIDTH as u32;
         }
-        let mut mask = r2.less(limit);
-        let left = range.end - j;
-        if (left as usize) < L::WIDTH {
-            mask &= (1 << left) - 1;
-        }
-        if i >= j && i - j < L::WIDTH as u32 {
-            mask &= !(1 << (i - j));
-        }
-        // SAFETY: `reserve` made room for the whole range and one more set of lanes.
-        count += unsafe { L::compress(j, mask, column.as_mut_ptr().add(count)) };
-        j += L::WIDTH as u32;
+        // SAFETY: `count` elements have been written.
+        unsafe { column.set_len(count) };
     }
-    // SAFETY: `count` elements have been written.
-    unsafe { column.set_len(count) };
+
+    /// The places of points `j..j + WIDTH`.
+    ///
+    /// # Safety
+    /// `j` is a point, or at most `SLICE − WIDTH` beyond the last.
+    #[inline(always)]
+    unsafe fn places<L: Lanes<Scalar = T>>(&self, j: usize) -> Vector<L, D> {
+        let mut x = Vector::zero();
+        for k in 0..D {
+            debug_assert!(j + L::WIDTH <= self.coordinates[k].len());
+            // SAFETY: the caller's promise.
+            x[k] = unsafe { L::load(self.coordinates[k].as_ptr().add(j)) };
+        }
+        x
+    }
+}
+
+impl Part {
+    /// Puts a column of neighbours into lane `lane` of the slice that begins at `begin` and is the
+    /// last so far.
+    #[inline(always)]
+    fn put<T: Real>(&mut self, begin: usize, lane: usize, column: &[u32], dummy: u32) {
+        let end = begin + column.len() * T::SLICE;
+        if self.rows.len() < end {
+            self.rows.resize(end, dummy);
+        }
+        for (row, &j) in self.rows[begin..].chunks_exact_mut(T::SLICE).zip(column) {
+            row[lane] = j;
+        }
+    }
 }

@@ -5,8 +5,10 @@ mod formulas;
 mod neighbourhood;
 mod operators;
 mod pair_sum;
+mod record;
 
 pub use corrections::Corrections;
 pub use neighbourhood::Neighbourhood;
 pub use operators::{Cloud, Form};
 pub(crate) use pair_sum::{Aligned, MOST, PairFormula, Sums, pair_sum};
+pub(crate) use record::{Record, add_vector, number, vector};

@@ -199,7 +199,18 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
 
     /// Evaluates a formula for every particle, from the records [`pack`](Self::pack) has written.
     pub(crate) fn sum<F: PairFormula<T>>(&self, formula: &F, records: &Aligned<T>, sums: &mut Sums<T>) {
-        pair_sum(formula, &self.list, records.as_slice(), self.set, sums);
+        self.sum_first(self.particles, formula, records, sums);
+    }
+
+    /// The same for the first `count` particles at least, such as the walls.
+    pub(crate) fn sum_first<F: PairFormula<T>>(
+        &self,
+        count: usize,
+        formula: &F,
+        records: &Aligned<T>,
+        sums: &mut Sums<T>,
+    ) {
+        pair_sum(formula, &self.list, count, records.as_slice(), self.set, sums);
     }
 
     /// Calls `visit(j, xᵢ − xⱼ, r²)` for the listed neighbours of particle `i` at `r < κh`, strictly

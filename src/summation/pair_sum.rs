@@ -21,6 +21,11 @@ pub(crate) trait PairFormula<T: Real>: Sync {
     type At<N: Num<Scalar = T>>: Copy;
     /// Reads a record.
     fn read<N: Num<Scalar = T>>(record: &[[N; 4]; 4]) -> Self::At<N>;
+    /// What the sums begin with; zero unless a formula looks for an extreme.
+    #[inline(always)]
+    fn start<N: Num<Scalar = T>>(&self) -> [N; MOST] {
+        [N::lit(0.0); MOST]
+    }
     /// Adds what `j` contributes to `i`.
     fn add_pair<N: Num<Scalar = T>>(&self, i: &Self::At<N>, j: &Self::At<N>, sums: &mut [N; MOST]);
 }
@@ -78,13 +83,14 @@ impl<T: Real> Sums<T> {
 /// Slices in one task.
 const TASK: usize = 128;
 
-/// Evaluates `formula` for every particle of the list.
+/// Evaluates `formula` for the first `particles` of the list, whole slices of them.
 ///
 /// # Panics
 /// `records` is shorter than the list needs: every point and the dummy.
 pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     formula: &F,
     list: &SlicedList<T, D>,
+    particles: usize,
     records: &[T],
     set: InstructionSet,
     sums: &mut Sums<T>,
@@ -92,7 +98,8 @@ pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     const { assert!(F::BLOCKS <= 4 && F::SUMS <= MOST) };
     assert!(records.len() >= (list.others() + 1) * 4 * F::BLOCKS);
     sums.count = F::SUMS;
-    sums.data.resize(list.slices() * F::SUMS * T::SLICE, T::ZERO);
+    let slices = particles.min(list.particles()).div_ceil(T::SLICE);
+    sums.data.resize(slices * F::SUMS * T::SLICE, T::ZERO);
     parallel::for_each_part(&mut sums.data, F::SUMS * T::SLICE, TASK, &|first, out| {
         dispatch(set, Task { formula, list, records, first, out });
     });
@@ -120,7 +127,7 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
                     let i = (self.first + s) * T::SLICE + group * L::WIDTH + lane;
                     own[lane] = i.min(self.list.others()) as u32;
                 }
-                let mut sums = [L::lit(0.0); MOST];
+                let mut sums: [L; MOST] = self.formula.start();
                 // SAFETY: every index of the list and every own index is at most `others()`, and
                 // `pair_sum` has checked that so many records are there.
                 unsafe {
@@ -141,3 +148,6 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,169 @@
+//! The ledger: where mass, momentum and energy are, and who took what. All in double precision.
+
+use core::ops::{Add, Index, IndexMut, Mul};
+
+/// Something that adds energy to the particles or takes it away.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Account {
+    /// Artificial viscosity (59).
+    ArtificialViscosity,
+    /// Density diffusion (52), (54).
+    DensityDiffusion,
+    /// Deviatoric stress that is not stored: viscosity (14).
+    Viscosity,
+    /// Density reinitialisation (70).
+    Reinitialisation,
+    /// Moving walls.
+    WallWork,
+    /// Compression of extrapolated walls, whose density is given, not evolved.
+    WallExtrapolation,
+    /// Body forces without potential.
+    External,
+    /// Return of a law's memory to an admissible state.
+    Admission,
+}
+
+impl Account {
+    /// All accounts, in the order of the ledger's columns.
+    pub const ALL: [Self; 8] = [
+        Self::ArtificialViscosity,
+        Self::DensityDiffusion,
+        Self::Viscosity,
+        Self::Reinitialisation,
+        Self::WallWork,
+        Self::WallExtrapolation,
+        Self::External,
+        Self::Admission,
+    ];
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ArtificialViscosity => "artificial_viscosity",
+            Self::DensityDiffusion => "density_diffusion",
+            Self::Viscosity => "viscosity",
+            Self::Reinitialisation => "reinitialisation",
+            Self::WallWork => "wall_work",
+            Self::WallExtrapolation => "wall_extrapolation",
+            Self::External => "external",
+            Self::Admission => "admission",
+        }
+    }
+}
+
+/// An amount for each [`Account`]: energy taken from the particles \[J\], or power \[W\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Works([f64; Account::ALL.len()]);
+
+impl Works {
+    /// Sum over all accounts.
+    pub fn total(&self) -> f64 {
+        self.0.iter().sum()
+    }
+}
+
+impl Index<Account> for Works {
+    type Output = f64;
+    fn index(&self, account: Account) -> &f64 {
+        &self.0[account as usize]
+    }
+}
+
+impl IndexMut<Account> for Works {
+    fn index_mut(&mut self, account: Account) -> &mut f64 {
+        &mut self.0[account as usize]
+    }
+}
+
+impl Add for Works {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        for (a, b) in self.0.iter_mut().zip(other.0) {
+            *a += b;
+        }
+        self
+    }
+}
+
+impl Mul<f64> for Works {
+    type Output = Self;
+    fn mul(mut self, factor: f64) -> Self {
+        for a in &mut self.0 {
+            *a *= factor;
+        }
+        self
+    }
+}
+
+/// What has been exchanged with the particles, or is per time: energy and momentum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exchange<const D: usize> {
+    /// Energy taken \[J\], or power \[W\].
+    pub taken: Works,
+    /// Momentum given by gravity, body forces and walls \[kg m/s\], or force \[N\].
+    pub impulse: [f64; D],
+}
+
+impl<const D: usize> Default for Exchange<D> {
+    fn default() -> Self {
+        Self { taken: Works::default(), impulse: [0.0; D] }
+    }
+}
+
+impl<const D: usize> Add for Exchange<D> {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        self.taken = self.taken + other.taken;
+        for (a, b) in self.impulse.iter_mut().zip(other.impulse) {
+            *a += b;
+        }
+        self
+    }
+}
+
+impl<const D: usize> Mul<f64> for Exchange<D> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self { taken: self.taken * factor, impulse: self.impulse.map(|x| x * factor) }
+    }
+}
+
+/// Mass, momentum and energy at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget<const D: usize> {
+    /// Time \[s\].
+    pub time: f64,
+    /// Mass of the particles, without walls \[kg\] (in 2D per metre of depth, as everything here).
+    pub mass: f64,
+    /// Momentum \[kg m/s\].
+    pub momentum: [f64; D],
+    /// Angular momentum about the origin, the components yz, zx, xy \[kg m²/s\].
+    pub angular_momentum: [f64; 3],
+    /// Kinetic energy \[J\].
+    pub kinetic: f64,
+    /// Potential energy in gravity and other potentials, zero at the origin \[J\].
+    pub potential: f64,
+    /// Energy stored by compression, that of evolving walls included \[J\].
+    pub compressive: f64,
+    /// What each account has taken since the start \[J\]; negative if it gave.
+    pub taken: Works,
+    /// Momentum that gravity, body forces and walls have given since the start \[kg m/s\].
+    pub impulse: [f64; D],
+}
+
+impl<const D: usize> Budget<D> {
+    /// Kinetic, potential and stored energy \[J\].
+    pub fn energy(&self) -> f64 {
+        self.kinetic + self.potential + self.compressive
+    }
+
+    /// Energy that no account explains, since `start` \[J\]; zero up to the time integration's error.
+    pub fn closure(&self, start: &Self) -> f64 {
+        self.energy() + self.taken.total() - start.energy() - start.taken.total()
+    }
+
+    /// Momentum that no force explains, since `start` \[kg m/s\]; zero up to rounding.
+    pub fn momentum_closure(&self, start: &Self) -> [f64; D] {
+        core::array::from_fn(|k| self.momentum[k] - self.impulse[k] - (start.momentum[k] - start.impulse[k]))
+    }
+}

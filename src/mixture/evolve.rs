@@ -1,0 +1,78 @@
+//! How a phase moves in time: the loops behind the integrator's verbs.
+
+use super::Phase;
+use crate::material::{Material, Memory};
+use crate::parallel::{self, CHUNK};
+use crate::real::Real;
+use crate::space::Vector;
+use crate::time::Moment;
+
+impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
+    /// `X_target ← X_base + dt · DX/Dt` for every particle but prescribed walls, made admissible;
+    /// returns the energy that took \[J\].
+    pub(crate) fn advance(&mut self, target: Moment, base: Moment, dt: T) -> f64 {
+        let mut fields = core::mem::take(self.fields_mut(target));
+        let base = (base != target).then(|| self.fields(base));
+        let walls = self.wall_particles();
+        parallel::for_each_part(&mut fields.velocity, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
+            for (k, v) in part.iter_mut().enumerate().skip(walls.saturating_sub(first)) {
+                let i = first + k;
+                *v = base.map_or(*v, |base| base.velocity[i]) + self.rate.acceleration[i] * dt;
+            }
+        });
+        parallel::for_each_part(&mut fields.excess, 1, CHUNK, &|first, part: &mut [T]| {
+            for (k, e) in part.iter_mut().enumerate() {
+                let i = first + k;
+                if self.is_evolving(i) {
+                    *e = base.map_or(*e, |base| base.excess[i]) + self.rate.excess[i] * dt;
+                }
+            }
+        });
+        let mut returned = 0.0;
+        if size_of::<M::Memory>() > 0 {
+            for (i, memory) in fields.memory.iter_mut().enumerate() {
+                if self.is_evolving(i) {
+                    let start = base.map_or(*memory, |base| base.memory[i]);
+                    let (admitted, loss) = self.material().admit(start.advanced(self.rate.memory[i], dt));
+                    *memory = admitted;
+                    returned += (self.mass[i] * loss).as_f64();
+                }
+            }
+        }
+        *self.fields_mut(target) = fields;
+        returned
+    }
+
+    /// `x ← x + dt · v`; walls follow their prescribed motion from time `start` \[s\].
+    pub(crate) fn drift(&mut self, moment: Moment, dt: T, start: f64) {
+        let walls = self.wall_particles();
+        let mut positions = core::mem::take(&mut self.position);
+        let velocity = &self.fields(moment).velocity;
+        parallel::for_each_part(&mut positions, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
+            for (k, x) in part.iter_mut().enumerate().skip(walls.saturating_sub(first)) {
+                *x += velocity[first + k] * dt;
+            }
+        });
+        self.position = positions;
+        if self.walls().iter().any(super::Wall::moves) {
+            self.move_walls(dt, start);
+        }
+    }
+
+    /// Second order: with the velocity at half the step, at half the way.
+    fn move_walls(&mut self, dt: T, start: f64) {
+        let (middle, end) = (start + 0.5 * dt.as_f64(), start + dt.as_f64());
+        let half = dt * T::of(0.5);
+        for i in 0..self.wall_particles() {
+            let wall = &self.walls()[usize::from(self.body[i])];
+            let x = self.position[i];
+            let midway = x + wall.velocity(&x, start) * half;
+            let next = x + wall.velocity(&midway, middle) * dt;
+            let (before, after) = (wall.velocity(&x, start), wall.velocity(&next, end));
+            self.position[i] = next;
+            self.wall_acceleration[i] = (after - before) * (T::ONE / dt);
+            self.now.velocity[i] = after;
+            self.half.velocity[i] = after;
+        }
+    }
+}

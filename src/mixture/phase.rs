@@ -1,0 +1,378 @@
+//! One constituent: its law and every per-particle array.
+
+use super::wall::{Slip, Wall, WallKind};
+use crate::error::ParameterError;
+use crate::material::{Material, Memory};
+use crate::real::Real;
+use crate::space::{SymTensor, Vector};
+use crate::time::Moment;
+
+/// The fields an integrator advances, at one instant.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Fields<T: Real, const D: usize, M> {
+    pub(crate) velocity: Vec<Vector<T, D>>,
+    /// ρ/ρ̃₀ − φ: the partial density beyond its reference; kept instead of ρ so that `f32` does not
+    /// lose the pressure.
+    pub(crate) excess: Vec<T>,
+    pub(crate) memory: Vec<M>,
+}
+
+/// Rates of change at the whole step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rates<T: Real, const D: usize, M> {
+    /// \[m/s²\]; for wall particles what they would feel, kept as the reaction.
+    pub(crate) acceleration: Vec<Vector<T, D>>,
+    pub(crate) excess: Vec<T>,
+    pub(crate) memory: Vec<M>,
+}
+
+/// Particles of one constituent, wall particles first.
+///
+/// `density` is the partial density ρ = φρ̃, mass per volume of mixture; `true_density` is ρ̃.
+#[derive(Clone, Debug)]
+pub struct Phase<T: Real, const D: usize, M: Material<T>> {
+    material: M,
+    walls: Vec<Wall<T, D>>,
+    wall_particles: usize,
+    pub(crate) id: Vec<u32>,
+    /// Which wall a wall particle belongs to; unused for others.
+    pub(crate) body: Vec<u16>,
+    pub(crate) position: Vec<Vector<T, D>>,
+    pub(crate) mass: Vec<T>,
+    pub(crate) volume_fraction: Vec<T>,
+    pub(crate) now: Fields<T, D, M::Memory>,
+    pub(crate) half: Fields<T, D, M::Memory>,
+    pub(crate) rate: Rates<T, D, M::Memory>,
+    pub(crate) pressure: Vec<T>,
+    /// τ \[Pa\]; empty while the law has none.
+    pub(crate) deviator: Vec<SymTensor<T>>,
+    /// Acceleration of each wall particle, zero where nothing moves \[m/s²\].
+    pub(crate) wall_acceleration: Vec<Vector<T, D>>,
+}
+
+impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
+    /// No particle yet.
+    pub fn new(material: M) -> Self {
+        Self {
+            material,
+            walls: Vec::new(),
+            wall_particles: 0,
+            id: Vec::new(),
+            body: Vec::new(),
+            position: Vec::new(),
+            mass: Vec::new(),
+            volume_fraction: Vec::new(),
+            now: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
+            half: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
+            rate: Rates { acceleration: Vec::new(), excess: Vec::new(), memory: Vec::new() },
+            pressure: Vec::new(),
+            deviator: Vec::new(),
+            wall_acceleration: Vec::new(),
+        }
+    }
+
+    /// Adds particles at rest, each standing for `volume` \[m³, in 2D m²\], under the pressure
+    /// `pressure(x)` \[Pa\]: density by (74), mass by (77).
+    ///
+    /// # Errors
+    /// The volume is not positive, or a position or pressure is not finite.
+    pub fn add(
+        &mut self,
+        positions: &[Vector<T, D>],
+        volume: T,
+        pressure: impl Fn(&Vector<T, D>) -> T,
+    ) -> Result<(), ParameterError> {
+        self.insert(self.len(), positions, 0, volume, &pressure)
+    }
+
+    /// Adds a wall of particles, filled with the same material under the same kind of pressure field.
+    ///
+    /// # Errors
+    /// As for [`add`](Self::add).
+    pub fn add_wall(
+        &mut self,
+        wall: Wall<T, D>,
+        positions: &[Vector<T, D>],
+        volume: T,
+        pressure: impl Fn(&Vector<T, D>) -> T,
+    ) -> Result<(), ParameterError> {
+        let body = self.walls.len() as u16;
+        self.insert(self.wall_particles, positions, body, volume, &pressure)?;
+        for i in self.wall_particles..self.wall_particles + positions.len() {
+            self.now.velocity[i] = wall.velocity(&self.position[i], 0.0);
+            self.half.velocity[i] = self.now.velocity[i];
+        }
+        self.wall_particles += positions.len();
+        self.wall_acceleration.resize(self.wall_particles, Vector::zero());
+        self.walls.push(wall);
+        Ok(())
+    }
+
+    fn insert(
+        &mut self,
+        at: usize,
+        positions: &[Vector<T, D>],
+        body: u16,
+        volume: T,
+        pressure: &dyn Fn(&Vector<T, D>) -> T,
+    ) -> Result<(), ParameterError> {
+        if !(volume > T::ZERO && volume.is_finite()) {
+            return Err(ParameterError::new("volume", volume, "a positive volume [m^D]"));
+        }
+        for x in positions {
+            if !x.is_finite() {
+                return Err(ParameterError::new("position", format!("{:?}", x.0), "finite [m]"));
+            }
+            let p = pressure(x);
+            if !p.is_finite() {
+                return Err(ParameterError::new("pressure", p, "finite [Pa]"));
+            }
+        }
+        let first_id = self.len() as u32;
+        let excess = |x: &Vector<T, D>| self.material.compression(pressure(x));
+        let reference = self.material.reference_density();
+        let new_excess: Vec<T> = positions.iter().map(excess).collect(); // (74)
+        let mass = new_excess.iter().map(|&e| reference * (T::ONE + e) * volume); // (77)
+        let count = positions.len();
+        splice(&mut self.id, at, first_id..first_id + count as u32);
+        splice(&mut self.body, at, vec![body; count]);
+        splice(&mut self.position, at, positions.iter().copied());
+        splice(&mut self.mass, at, mass);
+        splice(&mut self.volume_fraction, at, vec![T::ONE; count]);
+        splice(&mut self.pressure, at, positions.iter().map(pressure));
+        for fields in [&mut self.now, &mut self.half] {
+            splice(&mut fields.velocity, at, vec![Vector::zero(); count]);
+            splice(&mut fields.excess, at, new_excess.iter().copied());
+            splice(&mut fields.memory, at, vec![M::Memory::default(); count]);
+        }
+        let total = self.len();
+        self.rate.acceleration.resize(total, Vector::zero());
+        self.rate.excess.resize(total, T::ZERO);
+        self.rate.memory.resize(total, M::Memory::default());
+        Ok(())
+    }
+
+    /// Gives every particle that is not a wall the velocity `velocity(x)` \[m/s\].
+    pub fn set_velocity(&mut self, velocity: impl Fn(&Vector<T, D>) -> Vector<T, D>) {
+        for i in self.wall_particles..self.len() {
+            self.now.velocity[i] = velocity(&self.position[i]);
+            self.half.velocity[i] = self.now.velocity[i];
+        }
+    }
+
+    /// Gives every particle the volume fraction `fraction(x)` \[-\] at unchanged true density, with
+    /// the mass that belongs to it.
+    pub fn set_volume_fraction(&mut self, fraction: impl Fn(&Vector<T, D>) -> T) {
+        for i in 0..self.len() {
+            let (old, new) = (self.volume_fraction[i], fraction(&self.position[i]));
+            let factor = new / old;
+            self.volume_fraction[i] = new;
+            self.mass[i] *= factor;
+            self.now.excess[i] *= factor;
+            self.half.excess[i] *= factor;
+        }
+    }
+
+    /// How many particles there are, walls included.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there is no particle.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+
+    /// How many wall particles there are; they come first.
+    pub fn wall_particles(&self) -> usize {
+        self.wall_particles
+    }
+
+    /// The walls.
+    pub fn walls(&self) -> &[Wall<T, D>] {
+        &self.walls
+    }
+
+    /// The law.
+    pub fn material(&self) -> &M {
+        &self.material
+    }
+
+    /// The number each particle was given when it was added; the arrays are re-sorted now and then.
+    pub fn ids(&self) -> &[u32] {
+        &self.id
+    }
+
+    /// Whether the fields of wall particle `i` evolve, as those of a dynamic wall do.
+    #[inline(always)]
+    pub(crate) fn is_evolving(&self, i: usize) -> bool {
+        i >= self.wall_particles || self.walls[usize::from(self.body[i])].kind() == WallKind::Dynamic
+    }
+
+    /// Whether particle `i` is of a wall along which the fluid glides.
+    #[inline(always)]
+    pub(crate) fn is_gliding(&self, i: usize) -> bool {
+        i < self.wall_particles
+            && matches!(
+                self.walls[usize::from(self.body[i])].kind(),
+                WallKind::Extrapolated { slip: Slip::FreeSlip, .. }
+            )
+    }
+
+    /// Bytes held.
+    pub(crate) fn bytes(&self) -> usize {
+        let per_particle =
+            4 + 2 + 4 * size_of::<Vector<T, D>>() + 6 * size_of::<T>() + 3 * size_of::<M::Memory>();
+        self.position.capacity() * per_particle + self.deviator.capacity() * size_of::<SymTensor<T>>()
+    }
+
+    /// Which wall each of the first [`wall_particles`](Self::wall_particles) belongs to.
+    pub fn bodies(&self) -> &[u16] {
+        &self.body[..self.wall_particles]
+    }
+
+    /// Positions \[m\].
+    pub fn positions(&self) -> &[Vector<T, D>] {
+        &self.position
+    }
+
+    /// Positions \[m\], to change them from outside.
+    pub fn positions_mut(&mut self) -> &mut [Vector<T, D>] {
+        &mut self.position
+    }
+
+    /// Velocities \[m/s\].
+    pub fn velocities(&self) -> &[Vector<T, D>] {
+        &self.now.velocity
+    }
+
+    /// Velocities \[m/s\], to change them from outside.
+    pub fn velocities_mut(&mut self) -> &mut [Vector<T, D>] {
+        &mut self.now.velocity
+    }
+
+    /// Masses \[kg, in 2D per metre of depth\].
+    pub fn masses(&self) -> &[T] {
+        &self.mass
+    }
+
+    /// Volume fractions φ \[-\].
+    pub fn volume_fractions(&self) -> &[T] {
+        &self.volume_fraction
+    }
+
+    /// Pressures p \[Pa\] at the last evaluation, positive in compression.
+    pub fn pressures(&self) -> &[T] {
+        &self.pressure
+    }
+
+    /// Accelerations \[m/s²\] at the last evaluation; for wall particles, what they resisted.
+    pub fn accelerations(&self) -> &[Vector<T, D>] {
+        &self.rate.acceleration
+    }
+
+    /// Deviatoric stress τ \[Pa\] of particle `i` at the last evaluation, positive in tension.
+    pub fn deviator(&self, i: usize) -> SymTensor<T> {
+        self.deviator.get(i).copied().unwrap_or_default()
+    }
+
+    /// What the law remembers of particle `i`.
+    pub fn memory(&self, i: usize) -> &M::Memory {
+        &self.now.memory[i]
+    }
+
+    /// Compression ρ̃/ρ̃₀ − 1 \[-\] of particle `i`.
+    #[inline(always)]
+    pub fn compression(&self, i: usize) -> T {
+        self.now.excess[i] / self.volume_fraction[i]
+    }
+
+    /// Partial density ρ \[kg/m³\] of particle `i`.
+    #[inline(always)]
+    pub fn density(&self, i: usize) -> T {
+        self.material.reference_density() * (self.volume_fraction[i] + self.now.excess[i])
+    }
+
+    /// True density ρ̃ \[kg/m³\] of particle `i`.
+    pub fn true_density(&self, i: usize) -> T {
+        self.material.reference_density() * (T::ONE + self.compression(i))
+    }
+
+    /// Volume m/ρ \[m³, in 2D m²\] of particle `i`: the space of mixture it stands for.
+    #[inline(always)]
+    pub fn volume(&self, i: usize) -> T {
+        self.mass[i] / self.density(i)
+    }
+
+    /// Sets the partial density of particle `i` \[kg/m³\] at both instants, keeping its mass.
+    pub(crate) fn shift_excess(&mut self, i: usize, by: T) {
+        self.now.excess[i] += by;
+        self.half.excess[i] += by;
+    }
+
+    /// Force of this phase on wall number `body` \[N, in 2D N/m\], from the last evaluation.
+    pub fn wall_force(&self, body: usize) -> [f64; D] {
+        let mut force = [0.0; D];
+        for i in (0..self.wall_particles).filter(|&i| usize::from(self.body[i]) == body) {
+            for (k, f) in force.iter_mut().enumerate() {
+                *f += self.mass[i].as_f64() * self.rate.acceleration[i][k].as_f64();
+            }
+        }
+        force
+    }
+
+    pub(crate) fn fields(&self, moment: Moment) -> &Fields<T, D, M::Memory> {
+        match moment {
+            Moment::Now => &self.now,
+            Moment::Half => &self.half,
+        }
+    }
+
+    pub(crate) fn fields_mut(&mut self, moment: Moment) -> &mut Fields<T, D, M::Memory> {
+        match moment {
+            Moment::Now => &mut self.now,
+            Moment::Half => &mut self.half,
+        }
+    }
+
+    /// Puts all arrays into another order: particle `order[k]` comes to place `k`.
+    pub(crate) fn permute(&mut self, order: &[u32]) {
+        permute(&mut self.id, order);
+        permute(&mut self.body, order);
+        permute(&mut self.position, order);
+        permute(&mut self.mass, order);
+        permute(&mut self.volume_fraction, order);
+        permute(&mut self.pressure, order);
+        permute(&mut self.wall_acceleration, &order[..self.wall_particles]);
+        for fields in [&mut self.now, &mut self.half] {
+            permute(&mut fields.velocity, order);
+            permute(&mut fields.excess, order);
+            permute(&mut fields.memory, order);
+        }
+    }
+
+    /// Whether every number an integrator advances is finite, for particle `i`: else the field's name.
+    pub(crate) fn bad_field(&self, i: usize) -> Option<&'static str> {
+        if !self.position[i].is_finite() {
+            Some("position")
+        } else if !self.now.velocity[i].is_finite() {
+            Some("velocity")
+        } else if !self.now.excess[i].is_finite() {
+            Some("density")
+        } else if !self.now.memory[i].is_finite() {
+            Some("memory")
+        } else {
+            None
+        }
+    }
+}
+
+fn splice<X>(array: &mut Vec<X>, at: usize, new: impl IntoIterator<Item = X>) {
+    array.splice(at..at, new);
+}
+
+fn permute<X: Copy>(array: &mut Vec<X>, order: &[u32]) {
+    if size_of::<X>() > 0 {
+        *array = order.iter().map(|&i| array[i as usize]).collect();
+    }
+}

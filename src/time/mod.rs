@@ -1,0 +1,50 @@
+//! Time: three verbs, and the integrators that order them.
+//!
+//! An integrator knows nothing of particles: it evaluates rates, advances fields and drifts positions
+//! of whatever can [`Evolve`].
+
+mod leap_frog;
+mod step_size;
+mod velocity_verlet;
+
+pub use leap_frog::LeapFrog;
+pub use step_size::{Limit, Limits, StepSize};
+pub use velocity_verlet::VelocityVerlet;
+
+use crate::real::Real;
+use core::fmt::Debug;
+
+/// One of the two instants a system keeps its fields at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moment {
+    /// The instant of the positions, t_n.
+    Now,
+    /// The instant in between, t_{n±1/2}.
+    Half,
+}
+
+/// A system of positions x and fields X, of which X includes the velocity, that can be moved in time.
+pub trait Evolve<T: Real> {
+    /// Why an evaluation can fail.
+    type Error;
+    /// Computes the rates DX/Dt from positions and fields [`Now`](Moment::Now).
+    ///
+    /// # Errors
+    /// The rates are not usable.
+    fn evaluate(&mut self) -> Result<(), Self::Error>;
+    /// `X_target ← X_base + dt · DX/Dt`, made admissible; positions stay.
+    fn advance(&mut self, target: Moment, base: Moment, dt: T);
+    /// `x ← x + dt · v_moment` and `t ← t + dt` \[s\].
+    fn drift(&mut self, moment: Moment, dt: T);
+}
+
+/// A way through one time step.
+pub trait Integrator<T: Real>: Clone + Debug + Send + 'static {
+    /// Its name, for logs.
+    fn name(&self) -> &'static str;
+    /// Moves the system by `dt` \[s\].
+    ///
+    /// # Errors
+    /// Those of the system's evaluation.
+    fn step<S: Evolve<T>>(&mut self, system: &mut S, dt: T) -> Result<(), S::Error>;
+}

@@ -1,0 +1,99 @@
+//! How long a step may be: every limit by name, and which one binds (73).
+
+use crate::error::ParameterError;
+use crate::real::Real;
+use core::fmt;
+
+/// What can limit a time step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// Sound: `C h/c` (73).
+    Acoustic,
+    /// Viscosity: `h²/8ν`.
+    Viscous,
+    /// Acceleration: `¼ √(h/a)`.
+    Force,
+    /// The step was given.
+    Fixed,
+    /// The end of the run, or of an output interval.
+    End,
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Acoustic => "acoustic",
+            Self::Viscous => "viscous",
+            Self::Force => "force",
+            Self::Fixed => "fixed",
+            Self::End => "end",
+        })
+    }
+}
+
+/// Every limit of the step \[s\] that a system has at the moment, at Courant number one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits<T> {
+    /// `h/c`.
+    pub acoustic: T,
+    /// `h²/8ν`; infinite without viscosity.
+    pub viscous: T,
+    /// `¼ √(h/a)` with the largest acceleration; infinite at rest.
+    pub force: T,
+}
+
+impl<T: Real> Limits<T> {
+    /// The shortest with its name; `courant` scales the acoustic one (73).
+    pub fn binding(&self, courant: T) -> (T, Limit) {
+        let mut best = (courant * self.acoustic, Limit::Acoustic);
+        for (limit, name) in [(self.viscous, Limit::Viscous), (self.force, Limit::Force)] {
+            if limit < best.0 {
+                best = (limit, name);
+            }
+        }
+        best
+    }
+}
+
+/// How the step is chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepSize<T> {
+    /// As long as the limits allow, with this Courant number in (73).
+    Courant(T),
+    /// Always this long \[s\].
+    Fixed(T),
+}
+
+impl<T: Real> StepSize<T> {
+    /// As long as the limits allow; the paper takes `C = 0.3`, the library 0.2.
+    ///
+    /// # Errors
+    /// The Courant number is not in (0, 1].
+    pub fn courant(number: T) -> Result<Self, ParameterError> {
+        if number > T::ZERO && number <= T::ONE {
+            Ok(Self::Courant(number))
+        } else {
+            Err(ParameterError::new("courant", number, "above 0, up to 1"))
+        }
+    }
+
+    /// Always `dt` \[s\]; a run stops if that is beyond what any Courant number allows.
+    ///
+    /// # Errors
+    /// `dt` is not positive and finite.
+    pub fn fixed(dt: T) -> Result<Self, ParameterError> {
+        if dt > T::ZERO && dt.is_finite() {
+            Ok(Self::Fixed(dt))
+        } else {
+            Err(ParameterError::new("time_step", dt, "a positive time [s]"))
+        }
+    }
+
+    /// The step and what it is limited by.
+    pub fn choose(&self, limits: &Limits<T>) -> (T, Limit) {
+        match *self {
+            Self::Courant(number) => limits.binding(number),
+            Self::Fixed(dt) => (dt, Limit::Fixed),
+        }
+    }
+}
