@@ -60,6 +60,10 @@ impl<T: Real, const D: usize> NeighbourSearch<T, D> for CellList<T, D> {
         }
     }
 
+    fn cell(&self, place: &Vector<T, D>) -> Option<usize> {
+        Some(self.grid.index(self.grid.coordinates(place)))
+    }
+
     fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>) {
         let centre = self.grid.coordinates(place);
         let counts = &self.grid.counts;

@@ -38,6 +38,11 @@ pub trait NeighbourSearch<T: Real, const D: usize>: Debug + Send + Sync {
     ///
     /// They may hold more, in any order, but none twice. Few long ranges are faster than many short.
     fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>);
+    /// A number that two places share only if they have the same candidates, so that neighbours need
+    /// not ask twice; `None` if there is no telling.
+    fn cell(&self, _place: &Vector<T, D>) -> Option<usize> {
+        None
+    }
 }
 
 /// The candidates near `place` as ascending, non-touching ranges, each inside one of `allowed`
