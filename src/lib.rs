@@ -5,6 +5,7 @@ pub mod error;
 pub mod kernel;
 mod lanes;
 pub mod neighbours;
+pub mod output;
 pub mod parallel;
 pub mod real;
 pub mod space;
