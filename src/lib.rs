@@ -1,6 +1,8 @@
 //! Smoothed particle hydrodynamics of water, soil and their mixture.
 #![deny(unsafe_op_in_unsafe_fn)]
 
+#[cfg(feature = "case")]
+pub mod case;
 pub mod error;
 pub mod kernel;
 mod lanes;

@@ -1,3 +1,5 @@
 //! Integration tests, one binary.
 
+#[cfg(feature = "case")]
+mod case;
 mod output;
