@@ -35,13 +35,14 @@ impl Bounds {
 impl fmt::Display for Bounds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { low, low_included, high, .. } = *self;
+        let show = |x: f64| if x.abs() < 1e5 { format!("{x:?}") } else { format!("{x:e}") };
         let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
         match (low_included, low == -f64::MAX, high == f64::MAX) {
             (_, true, true) => write!(f, "a finite number{unit}"),
-            (false, _, true) => write!(f, "a number above {low:?}{unit}"),
-            (false, ..) => write!(f, "a number above {low:?}, at most {high:?}{unit}"),
-            (true, _, true) => write!(f, "a number, at least {low:?}{unit}"),
-            (true, ..) => write!(f, "a number from {low:?} to {high:?}{unit}"),
+            (false, _, true) => write!(f, "a number above {}{unit}", show(low)),
+            (false, ..) => write!(f, "a number above {}, at most {}{unit}", show(low), show(high)),
+            (true, _, true) => write!(f, "a number, at least {}{unit}", show(low)),
+            (true, ..) => write!(f, "a number from {} to {}{unit}", show(low), show(high)),
         }
     }
 }

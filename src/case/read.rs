@@ -85,7 +85,7 @@ impl Context<'_, '_> {
         let sound_speed = section.number("sound_speed_m_per_s", positive(1e5, "m/s"));
         let blocks: Vec<Block> =
             section.sections("block").iter().map(|block| self.block(block, gravity)).collect();
-        if blocks.is_empty() && !self.reader.has_errors() {
+        if blocks.is_empty() && !self.reader.given(&section.name("block")) {
             self.reader.missing(
                 "water",
                 "block",

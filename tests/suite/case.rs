@@ -244,3 +244,28 @@ fn what_is_doubtful_is_a_warning() {
     assert!(warned("[0.1, 0.2]", "[0.101, 0.2]").contains("whole number of particles"));
     assert!(warned("= 25.0", "= 5.0").contains("density will vary"));
 }
+
+/// The complete case of the documentation.
+fn documented() -> &'static str {
+    let text = include_str!("../../docs/case-format.md");
+    text.split("```toml\n").nth(1).unwrap().split("```").next().unwrap()
+}
+
+#[test]
+fn the_documented_case_has_every_key_and_its_defaults() {
+    let (documented, used) = (parse(documented()), parse(documented()).to_string());
+    let keys = |text: &str| {
+        let line = |line: &str| line.split(" =").next().unwrap_or("").split(']').next().unwrap().to_owned();
+        text.lines().map(line).filter(|key| !key.is_empty()).collect::<Vec<_>>()
+    };
+    let mut missing = keys(&used);
+    let present = keys(self::documented());
+    missing.retain(|key| !present.contains(key));
+    assert_eq!(missing, Vec::<String>::new(), "keys that the documentation leaves out");
+    let own = "name = \"dam-break\"\nend_time_s = 0.5\nparticles.spacing_m = 0.0025\n\
+        water.sound_speed_m_per_s = 25.0\nwater.block = [{ low_m = [0, 0], high_m = [0.1, 0.2] }]\n\
+        [tank]\nlow_m = [0, 0]\nhigh_m = [0.4, 0.3]\nopen = [\"+y\"]\n\
+        [[tank.moving]]\nside = \"-y\"\nvelocity_m_per_s = [0, 0]\n\
+        [[gauge]]\nname = \"toe\"\nposition_m = [0.399, 0.01]\n";
+    assert_eq!(documented, parse(own), "values said to be defaults are");
+}
