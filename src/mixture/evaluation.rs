@@ -3,7 +3,7 @@
 use super::continuity::{DensityDiffusion, PairDiffusion};
 use super::extrapolation::{self, Extrapolation, StressExtrapolation};
 use super::momentum::Viscosity;
-use super::own_pairs::{OwnPairs, record_length, sum};
+use super::own_pairs::{OwnPairs, sum};
 use super::reinitialisation::ShepardCompression;
 use super::renormalised::{CompressionGradient, RenormalisedDiffusion};
 use super::velocity_gradient::VelocityGradient;
@@ -14,7 +14,7 @@ use crate::material::Material;
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor, Vector};
-use crate::summation::{PairFormula, Sums};
+use crate::summation::Sums;
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
     /// Brings the neighbour lists up to date; now and then that re-sorts the particles.
@@ -39,9 +39,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let mut pressures = core::mem::take(&mut self.water.pressure);
         let water = &self.water;
         parallel::for_each_part(&mut pressures, 1, CHUNK, &|first, part: &mut [T]| {
-            for (k, p) in part.iter_mut().enumerate() {
-                let i = first + k;
-                *p = water.material().pressure(water.compression(i), &water.now.memory[i]);
+            let (fractions, memories) = (&water.volume_fraction[first..], &water.now.memory[first..]);
+            let fields = water.now.excess[first..].iter().zip(fractions).zip(memories);
+            for (p, ((&excess, &fraction), memory)) in part.iter_mut().zip(fields) {
+                *p = water.material().pressure(excess / fraction, memory);
             }
         });
         self.water.pressure = pressures;
@@ -62,10 +63,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let water = &self.water;
         let o = T::ZERO;
         let dummy: &[T] = &[o, o, o, o, o, o][..D + 3];
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<Extrapolation<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <Extrapolation<K, D> as PairFormula<T>>::BLOCKS,
             dummy,
             &|i, record: &mut [T]| {
                 record[..D].copy_from_slice(&water.now.velocity[i].0);
@@ -131,10 +131,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let formula = VelocityGradient::<K, D> { kernel: self.kernel.clone() };
         let weight = self.gradient_weight;
         let (water, wall_velocity) = (&self.water, &self.scratch.wall_velocity);
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<VelocityGradient<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <VelocityGradient<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO; 4][..D + 1],
             &|i, record: &mut [T]| {
                 let v = wall_velocity.get(i).unwrap_or(&water.now.velocity[i]);
@@ -204,10 +203,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     fn extrapolate_stress(&mut self) {
         let formula = StressExtrapolation::<K, D> { kernel: self.kernel.clone() };
         let water = &self.water;
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<StressExtrapolation<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <StressExtrapolation<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO; 7],
             &|i, record: &mut [T]| {
                 record[0] = water.volume(i);
@@ -267,10 +265,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let (o, one) = (T::ZERO, T::ONE);
         // Density one keeps the division of (59) finite; volume zero takes the dummy out.
         let dummy: &[T] = if D == 2 { &[o, o, o, one] } else { &[o, o, o, o, one] };
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<OwnPairs<T, K, D, STRESS>>(
             &water.position,
             &mut self.scratch.records,
-            record_length(D, STRESS).div_ceil(4),
             dummy,
             &|i, record: &mut [T]| {
                 let density = water.density(i);
@@ -308,17 +305,27 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let (sums, rate) = (&self.scratch.sums, &mut self.water.rate);
         let gravity = self.gravity;
         let walls = self.water.wall_acceleration.len();
+        // Slice by slice, as the sums lie.
         parallel::for_each_part(&mut rate.acceleration, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
-            for (k, a) in part.iter_mut().enumerate() {
-                let own: Vector<T, D> = vector_sum(sums, first + k, 0);
-                *a = if first + k < walls { own } else { own + gravity };
+            for (s, slice) in part.chunks_mut(T::SLICE).enumerate() {
+                let begin = first + s * T::SLICE;
+                let own: [&[T]; D] = core::array::from_fn(|axis| sums.lanes(begin / T::SLICE, axis));
+                for (lane, a) in slice.iter_mut().enumerate() {
+                    *a = Vector(own.map(|sum| sum[lane]));
+                    if begin + lane >= walls {
+                        *a += gravity;
+                    }
+                }
             }
         });
         parallel::for_each_part(&mut rate.excess, 1, CHUNK, &|first, part: &mut [T]| {
-            for (k, e) in part.iter_mut().enumerate() {
-                let i = first + k;
-                *e = sums.get(i, D + sum::COMPRESSION) * inverse_reference
-                    + factor * sums.get(i, D + sum::DIFFUSION); // (52)
+            for (s, slice) in part.chunks_mut(T::SLICE).enumerate() {
+                let s = first / T::SLICE + s;
+                let compression = sums.lanes(s, D + sum::COMPRESSION);
+                let diffusion = sums.lanes(s, D + sum::DIFFUSION);
+                for ((e, &compression), &diffusion) in slice.iter_mut().zip(compression).zip(diffusion) {
+                    *e = compression * inverse_reference + factor * diffusion; // (52)
+                }
             }
         });
     }
@@ -330,10 +337,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         }
         let o = T::ZERO;
         let water = &self.water;
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<CompressionGradient<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <CompressionGradient<K, D> as PairFormula<T>>::BLOCKS,
             &[o, o],
             &|i, record: &mut [T]| {
                 record[0] = water.volume(i);
@@ -371,10 +377,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             });
             all
         };
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<RenormalisedDiffusion<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <RenormalisedDiffusion<K, D> as PairFormula<T>>::BLOCKS,
             &[o, o],
             &|i, record: &mut [T]| {
                 record[0] = water.volume(i);
@@ -410,10 +415,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     pub fn reinitialise_density(&mut self) {
         self.find_neighbours();
         let water = &self.water;
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<ShepardCompression<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <ShepardCompression<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO, T::ZERO],
             &|i, record: &mut [T]| {
                 record[0] = water.volume(i);

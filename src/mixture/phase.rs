@@ -3,6 +3,7 @@
 use super::wall::{Slip, Wall, WallKind};
 use crate::error::ParameterError;
 use crate::material::{Material, Memory};
+use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::{SymTensor, Vector};
 use crate::time::Moment;
@@ -371,8 +372,14 @@ fn splice<X>(array: &mut Vec<X>, at: usize, new: impl IntoIterator<Item = X>) {
     array.splice(at..at, new);
 }
 
-fn permute<X: Copy>(array: &mut Vec<X>, order: &[u32]) {
+fn permute<X: Copy + Send + Sync>(array: &mut Vec<X>, order: &[u32]) {
     if size_of::<X>() > 0 {
-        *array = order.iter().map(|&i| array[i as usize]).collect();
+        let mut sorted = array.clone();
+        parallel::for_each_part(&mut sorted, 1, CHUNK, &|first, part: &mut [X]| {
+            for (x, &i) in part.iter_mut().zip(&order[first..]) {
+                *x = array[i as usize];
+            }
+        });
+        *array = sorted;
     }
 }
