@@ -1,1 +1,8 @@
 //! Integration tests, one binary.
+
+mod determinism;
+mod forensics;
+mod integrators;
+mod outside;
+mod tank;
+mod walls;
