@@ -9,6 +9,7 @@ pub mod material;
 pub mod mixture;
 pub mod neighbours;
 pub mod parallel;
+pub mod preset;
 pub mod real;
 pub mod setup;
 pub mod simulation;
@@ -19,5 +20,6 @@ pub mod time;
 pub mod verify;
 
 pub use lanes::{InstructionSet, UnknownInstructionSet};
+pub use preset::Preset;
 pub use real::{Num, Real};
 pub use space::{SymTensor, Tensor, Vector};
