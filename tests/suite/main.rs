@@ -1,13 +1,17 @@
 //! Integration tests, one binary.
 
 mod determinism;
+mod errata;
 mod forensics;
 mod integrators;
 mod kernels;
+mod lane_code;
 mod lattice_sums;
 mod layers;
 mod neighbours;
 mod outside;
 mod register;
+mod source;
 mod tank;
 mod walls;
+mod water_law;
