@@ -74,12 +74,15 @@
 #![deny(unsafe_op_in_unsafe_fn)]
 
 pub mod budget;
+#[cfg(feature = "case")]
+pub mod case;
 pub mod error;
 pub mod kernel;
 mod lanes;
 pub mod material;
 pub mod mixture;
 pub mod neighbours;
+pub mod output;
 pub mod parallel;
 pub mod preset;
 pub mod real;

@@ -133,11 +133,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
     ///
     /// # Errors
     /// As for [`step`](Self::step).
-    pub fn run_until<B>(
+    pub fn run_until(
         &mut self,
         end: f64,
-        mut onlooker: impl FnMut(&mut Self) -> ControlFlow<B>,
-    ) -> Result<ControlFlow<B>, StepError> {
+        mut onlooker: impl FnMut(&mut Self) -> ControlFlow<()>,
+    ) -> Result<ControlFlow<()>, StepError> {
         self.start()?;
         let mut flow = onlooker(self);
         // Closer than a rounding of the time is there.

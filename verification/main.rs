@@ -11,6 +11,7 @@
 
 mod bench;
 mod flags;
+mod identity;
 mod kernels;
 mod lattice_sums;
 mod operators;
@@ -29,6 +30,7 @@ fn studies() -> Vec<Study> {
     [
         kernels::studies(),
         lattice_sums::studies(),
+        identity::studies(),
         operators::studies(),
         operators_exact::studies(),
         still_tank::studies(),

@@ -59,6 +59,10 @@ impl<T: Real, const D: usize> NeighbourSearch<T, D> for CellList<T, D> {
         }
     }
 
+    fn cell(&self, place: &Vector<T, D>) -> Option<usize> {
+        Some(self.grid.index(self.grid.coordinates(place)))
+    }
+
     fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>) {
         if !place.is_finite() {
             return; // it has no neighbours, but a cell full of its like could take for ever to tell

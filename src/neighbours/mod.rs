@@ -40,6 +40,11 @@ pub trait NeighbourSearch<T: Real, const D: usize>: Debug + Send + Sync {
     /// point with an infinite or undefined coordinate has no neighbours and must not cause a panic;
     /// nor has any if the radius is not positive.
     fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>);
+    /// A number that two places share only if they have the same candidates, so that neighbours need
+    /// not ask twice; `None` if there is no telling.
+    fn cell(&self, _place: &Vector<T, D>) -> Option<usize> {
+        None
+    }
 }
 
 /// The candidates near `place` as ascending, non-touching ranges, each inside one of `allowed`

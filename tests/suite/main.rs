@@ -1,5 +1,7 @@
 //! Integration tests, one binary.
 
+#[cfg(feature = "case")]
+mod case;
 mod determinism;
 mod errata;
 mod forensics;
@@ -9,6 +11,7 @@ mod lane_code;
 mod lattice_sums;
 mod layers;
 mod neighbours;
+mod output;
 mod outside;
 mod register;
 mod source;
