@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     drop.add(&disc.collect::<Vec<_>>(), dx * dx, |_| 0.0)?;
     let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * dx)?, drop).with_gravity(Vector([0.0, -9.81]));
     let mut run = Simulation::new(mixture, VelocityVerlet::new(), StepSize::courant(0.2)?);
-    run.run_until(0.2, |_| ControlFlow::<()>::Continue(()))?;
+    let _ = run.run_until(0.2, |_| ControlFlow::Continue(()))?;
     let water = run.mixture().water();
     let (lowest, highest) = water
         .positions()

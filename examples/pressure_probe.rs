@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mixture = preset.apply(Mixture::<f32, 2>::new(kernel, water)).with_gravity(Vector([0.0, -9.81]));
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(preset.courant() as f32)?);
     for k in 0..=8 {
-        run.run_until(0.025 * f64::from(k), |_| ControlFlow::<()>::Continue(()))?;
+        let _ = run.run_until(0.025 * f64::from(k), |_| ControlFlow::Continue(()))?;
         let foot = run.mixture().probe(&Vector([0.01, 0.01]));
         println!("t = {:.3} s: {:7.1} Pa, kernel filled to {:.2}", run.time(), foot.pressure, foot.support);
     }

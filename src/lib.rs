@@ -32,7 +32,7 @@
 //! let kernel = WendlandC2::new(preset.smoothing_ratio() * dx)?;
 //! let mixture = preset.apply(Mixture::<f64, 2>::new(kernel, water)).with_gravity(Vector([0.0, -9.81]));
 //! let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(preset.courant())?);
-//! run.run_until(0.1, |_| ControlFlow::Continue(()))?;
+//! let _ = run.run_until(0.1, |_| ControlFlow::Continue(()))?;
 //! let front = run.mixture().water().positions().iter().filter(|x| x[1] > 0.0 && x[0] < 0.4);
 //! assert!((0.16..0.21).contains(&front.map(|x| x[0]).fold(0.0, f64::max)));
 //! # Ok(()) }
@@ -67,7 +67,7 @@
 //! |---|---|---|
 //! | `rayon` | yes | several threads; the bits of the result stay |
 //! | `kd-tree` | | the kd-tree of kiddo as a neighbour search |
-//! | `serde` | | serialisable parameters (reserved: nothing uses it yet) |
+//! | `serde` | | serialisable parameters and states |
 //! | `verify` | | the module `verify` |
 //!
 //! SIMD instructions are detected at run time and need no feature.

@@ -21,7 +21,7 @@ use core::ops::ControlFlow;
 /// let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * spacing)?, water)
 ///     .with_gravity(Vector([0.0, -9.81]));
 /// let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2)?);
-/// run.run_until(0.01, |_| ControlFlow::Continue(()))?;
+/// let _ = run.run_until(0.01, |_| ControlFlow::Continue(()))?;
 /// let fallen = run.mixture().water().velocities()[0][1];
 /// assert!((fallen + 0.0981).abs() < 1e-9);
 /// # Ok(()) }

@@ -70,7 +70,7 @@ fn only_conjugate_weights_close_the_ledger_of_viscosity() {
         let mut run = Simulation::new(mixture, VelocityVerlet::new(), StepSize::courant(0.02).unwrap());
         run.start().unwrap();
         let start = run.budget();
-        let _ = run.run_until(0.1, |_| ControlFlow::<()>::Continue(())).unwrap();
+        let _ = run.run_until(0.1, |_| ControlFlow::Continue(())).unwrap();
         let taken = run.budget().taken[Account::Viscosity];
         assert!(taken > 0.1 * start.kinetic, "viscosity took {taken} of {}", start.kinetic);
         run.budget().closure(&start).abs() / taken
@@ -182,7 +182,7 @@ fn a_gliding_wall_is_smooth() {
         let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).unwrap());
         run.start().unwrap();
         let start = run.budget().kinetic;
-        let _ = run.run_until(0.2, |_| ControlFlow::<()>::Continue(())).unwrap();
+        let _ = run.run_until(0.2, |_| ControlFlow::Continue(())).unwrap();
         1.0 - run.budget().kinetic / start
     };
     let (smooth, rough) = (loss(Wall::extrapolated(Slip::FreeSlip)), loss(Wall::dynamic()));

@@ -4,7 +4,7 @@ use crate::source::{Source, has_word, library};
 
 /// Each part with the parts it may use, beside itself and the ground. Summation, material and time do
 /// not see each other; a material sees no kernel, time no particle, a search no mass.
-const MAY_USE: [(&str, &[&str]); 13] = [
+const MAY_USE: [(&str, &[&str]); 14] = [
     ("kernel", &[]),
     ("neighbours", &[]),
     ("summation", &["kernel", "neighbours"]),
@@ -15,6 +15,7 @@ const MAY_USE: [(&str, &[&str]); 13] = [
     ("setup", METHOD),
     ("preset", &["mixture", "kernel", "material", "time"]),
     ("simulation", &["mixture", "kernel", "neighbours", "summation", "material", "time", "budget", "setup"]),
+    ("snapshot", DRIVEN),
     ("output", DRIVEN),
     ("case", DRIVEN),
     ("verify", DRIVEN),

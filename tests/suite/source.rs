@@ -63,17 +63,18 @@ fn bare(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(c) = rest.chars().next() {
-        let skip = if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if c == '"' {
-            end_of_string(rest)
-        } else if rest.starts_with("'\\") {
-            3 + rest[2..].find('\'').unwrap()
-        } else if c == '\'' && rest[1..].chars().nth(1) == Some('\'') {
-            2 + rest[1..].chars().next().unwrap().len_utf8()
-        } else {
-            out.push(c);
-            c.len_utf8()
+        let skip = match rest.strip_prefix('\'') {
+            _ if rest.starts_with("//") => rest.find('\n').unwrap_or(rest.len()),
+            _ if c == '"' => end_of_string(rest),
+            // A character literal; a lifetime has no closing quote.
+            Some(quoted) if quoted.starts_with('\\') => 3 + quoted[1..].find('\'').unwrap(),
+            Some(quoted) if quoted.chars().nth(1) == Some('\'') => {
+                2 + quoted.chars().next().unwrap().len_utf8()
+            }
+            _ => {
+                out.push(c);
+                c.len_utf8()
+            }
         };
         rest = &rest[skip..];
     }

@@ -49,7 +49,7 @@ fn the_floor_of_a_still_tank_bears_the_weight_of_the_water() {
                     mean[1] += step * (floor[1] + sides[1]);
                     span += step;
                 }
-                ControlFlow::<()>::Continue(())
+                ControlFlow::Continue(())
             })
             .unwrap();
         let weight = run.budget().mass * G;

@@ -83,7 +83,7 @@ fn positions(set: InstructionSet) -> Vec<[f64; 2]> {
     let wall = Wall::extrapolated(Slip::FreeSlip);
     let mixture = dam.of::<f64, 2, _, _>(Lucy::new(0.013, 2), water, wall).with_instruction_set(set);
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).unwrap());
-    let _ = run.run_until(0.05, |_| ControlFlow::<()>::Continue(())).unwrap();
+    let _ = run.run_until(0.05, |_| ControlFlow::Continue(())).unwrap();
     let water = run.mixture().water();
     water.positions()[water.wall_particles()..].iter().map(|x| x.as_f64()).collect()
 }

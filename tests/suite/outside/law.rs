@@ -157,7 +157,7 @@ fn a_law_with_a_memory_remembers_what_happened_to_its_particle() {
         .unwrap()
         .with_periodic(Periodic::new(Vector::zero(), [Some(1.0); 2]).unwrap());
     let mut run = Simulation::new(mixture, VelocityVerlet::new(), StepSize::courant(0.05).unwrap());
-    let _ = run.run_until(0.1, |_| ControlFlow::<()>::Continue(())).unwrap();
+    let _ = run.run_until(0.1, |_| ControlFlow::Continue(())).unwrap();
     let fluid = run.mixture().water();
     let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
     for i in 0..fluid.len() {

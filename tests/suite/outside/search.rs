@@ -42,7 +42,7 @@ impl<T: Real, const D: usize> NeighbourSearch<T, D> for Sweep {
 
 fn state<T: Real, const D: usize>(mixture: Mixture<T, D>) -> u64 {
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).unwrap());
-    let _ = run.run_until(0.04, |_| ControlFlow::<()>::Continue(())).unwrap();
+    let _ = run.run_until(0.04, |_| ControlFlow::Continue(())).unwrap();
     hash(run.mixture())
 }
 
