@@ -91,6 +91,7 @@ pub mod preset;
 pub mod real;
 pub mod setup;
 pub mod simulation;
+pub mod snapshot;
 pub mod space;
 pub mod summation;
 pub mod time;

@@ -34,17 +34,18 @@ pub struct Simulation<
     F: Material<T> = Water<T>,
     I: Integrator<T> = LeapFrog<T>,
 > {
-    mixture: Mixture<T, D, K, F>,
-    integrator: I,
+    pub(crate) mixture: Mixture<T, D, K, F>,
+    pub(crate) integrator: I,
     step_size: StepSize<T>,
     reinitialise_every: usize,
-    steps: u64,
-    last: Step,
-    started: bool,
+    pub(crate) steps: u64,
+    pub(crate) last: Step,
+    pub(crate) started: bool,
 }
 
 /// One step that has been done.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Step {
     /// Its length \[s\].
     pub length: f64,

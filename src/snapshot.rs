@@ -1,17 +1,15 @@
-//! A run at rest: everything it needs to go on with the same bits.
+//! A run between two steps: everything it needs to go on with the same bits.
 
-use crate::budget::Exchange;
 use crate::error::ParameterError;
-use crate::mixture::PhaseState;
+use crate::kernel::Kernel;
+use crate::material::Material;
+use crate::mixture::MixtureState;
 use crate::real::Real;
-use crate::simulation::Step;
+use crate::simulation::{Simulation, Step};
+use crate::time::Integrator;
 
-/// A run between two steps, without what the program that resumes it has to set up again: kernel,
-/// law, walls and their motion, forces, numerics, search.
-///
-/// With the feature `serde` it can be written in any format. Take it with
-/// [`Simulation::snapshot`](crate::simulation::Simulation::snapshot), put it back with
-/// [`Simulation::restore`](crate::simulation::Simulation::restore).
+/// The state of a [`Simulation`], without what has to be set up again (see
+/// [`MixtureState`]). With the feature `serde` it can be written in any format.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -22,16 +20,17 @@ use crate::simulation::Step;
     ))
 )]
 pub struct Snapshot<T: Real, const D: usize, M, I> {
-    pub(crate) mixture: MixtureState<T, D, M>,
-    pub(crate) integrator: I,
-    pub(crate) steps: u64,
-    pub(crate) last: Step,
+    mixture: MixtureState<T, D, M>,
+    integrator: I,
+    steps: u64,
+    last: Step,
+    started: bool,
 }
 
 impl<T: Real, const D: usize, M, I> Snapshot<T, D, M, I> {
     /// Time \[s\].
     pub fn time(&self) -> f64 {
-        self.mixture.time
+        self.mixture.time()
     }
 
     /// Steps done.
@@ -40,27 +39,28 @@ impl<T: Real, const D: usize, M, I> Snapshot<T, D, M, I> {
     }
 }
 
-/// The state of a mixture.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, M: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
-    ))
-)]
-pub(crate) struct MixtureState<T: Real, const D: usize, M> {
-    pub(crate) time: f64,
-    pub(crate) water: PhaseState<T, D, M>,
-    /// Where the particles were when the neighbour list was built: the list follows from it.
-    pub(crate) listed: Vec<crate::space::Vector<T, D>>,
-    pub(crate) exchanged: [Exchange<D>; 2],
-    pub(crate) exchange_rate: Exchange<D>,
-    pub(crate) fastest_acceleration: T,
-}
+impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>> Simulation<T, D, K, F, I> {
+    /// The run as it is now.
+    pub fn snapshot(&self) -> Snapshot<T, D, F::Memory, I> {
+        Snapshot {
+            mixture: self.mixture.state(),
+            integrator: self.integrator.clone(),
+            steps: self.steps,
+            last: self.last,
+            started: self.started,
+        }
+    }
 
-/// A snapshot does not belong to the simulation it is put into.
-pub(crate) fn mismatch(what: &'static str, given: usize, allowed: &'static str) -> ParameterError {
-    ParameterError::new(what, given, allowed)
+    /// Goes back to a snapshot of a run set up the same way; what follows has the same bits.
+    ///
+    /// # Errors
+    /// The snapshot is of another number of particles or walls.
+    pub fn restore(&mut self, snapshot: Snapshot<T, D, F::Memory, I>) -> Result<(), ParameterError> {
+        self.mixture.restore(snapshot.mixture)?;
+        self.integrator = snapshot.integrator;
+        self.steps = snapshot.steps;
+        self.last = snapshot.last;
+        self.started = snapshot.started;
+        Ok(())
+    }
 }

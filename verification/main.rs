@@ -10,6 +10,8 @@
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
 mod bench;
+mod dam_break;
+mod dam_run;
 mod flags;
 mod identity;
 mod kernels;
@@ -28,6 +30,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
     [
+        dam_break::studies(),
         kernels::studies(),
         lattice_sums::studies(),
         identity::studies(),

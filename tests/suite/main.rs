@@ -14,6 +14,7 @@ mod neighbours;
 mod output;
 mod outside;
 mod register;
+mod restart;
 mod source;
 mod tank;
 mod walls;

@@ -92,7 +92,7 @@ fn a_linear_fluid_flows_like_water_of_exponent_one() {
 }
 
 /// `∫ ∂v^γ/∂x^γ dt`: minus the logarithm of the density, if the two go together.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Stretch(f64);
 
 impl Memory<f64> for Stretch {
