@@ -49,6 +49,7 @@
 //! | [`mixture`] | phases, walls, the equations of a step, forensics |
 //! | [`setup`], [`preset`] | where particles start; the paper's numerical choices and the library's |
 //! | [`simulation`], [`budget`] | the driver; where mass, momentum and energy are |
+//! | [`output`], `case` | files for ParaView and tables; case files in TOML |
 //! | [`parallel`], [`error`] | threads; what can go wrong |
 //! | `verify` | studies with expectations and mutants, for this library and for yours |
 //!
@@ -69,6 +70,8 @@
 //! | `kd-tree` | | the kd-tree of kiddo as a neighbour search |
 //! | `serde` | | serialisable parameters and states |
 //! | `verify` | | the module `verify` |
+//! | `case` | | the module `case`: strict case files |
+//! | `cli` | | the program `alluvium` |
 //!
 //! SIMD instructions are detected at run time and need no feature.
 #![deny(unsafe_op_in_unsafe_fn)]

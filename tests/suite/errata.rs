@@ -32,7 +32,7 @@ fn the_reference_density_follows_the_volume_fraction() {
     let water = mixture.water();
     for i in 0..water.len() {
         assert_eq!(water.density(i), 1000.0 * water.volume_fractions()[i]);
-        // Frozen at 1000 kg/m³ it would be −14 MPa at half the fraction.
+        // Frozen at 1000 kg/m³ it would be −14 kPa at half the fraction.
         assert_eq!(water.pressures()[i], 0.0);
     }
 }
