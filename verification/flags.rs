@@ -1,0 +1,32 @@
+//! The flags a test program does not have by itself.
+
+/// What was asked for.
+#[derive(Debug, Default)]
+pub struct Flags {
+    pub full: bool,
+    pub mutants: bool,
+    pub reports: Vec<String>,
+}
+
+impl Flags {
+    /// Takes its own flags out of the arguments and leaves the others.
+    pub fn split(arguments: impl Iterator<Item = String>) -> Result<(Self, Vec<String>), String> {
+        let (mut flags, mut others) = (Self::default(), Vec::new());
+        let mut arguments = arguments;
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--full" => flags.full = true,
+                "--mutants" => flags.mutants = true,
+                "--report" => {
+                    let file = arguments.next().ok_or("--report needs a file name, or - for the terminal")?;
+                    flags.reports.push(file);
+                }
+                other => match other.strip_prefix("--report=") {
+                    Some(file) => flags.reports.push(file.to_owned()),
+                    None => others.push(argument),
+                },
+            }
+        }
+        Ok((flags, others))
+    }
+}

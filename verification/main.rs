@@ -1,0 +1,115 @@
+//! The verification of the library: studies that know beforehand what has to come out.
+//!
+//! `cargo test --release --features verify --test verification -- [FILTER] [FLAGS]`
+//!
+//! Own flags, beside those of every test program:
+//! `--full` also runs the studies of minutes; `--mutants` also shows that each study fails under
+//! each of its deliberate mistakes; `--report FILE` writes what was measured, as JSON if the name
+//! ends so, else as Markdown (`-`: to the terminal).
+//!
+//! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
+
+mod bench;
+mod flags;
+mod kernels;
+mod lattice_sums;
+mod operators;
+mod operators_exact;
+
+use alluvium::verify::{Environment, Level, Outcome, Report, Study};
+use flags::Flags;
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::process::ExitCode;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// All studies, topic by topic.
+fn studies() -> Vec<Study> {
+    [kernels::studies(), lattice_sums::studies(), operators::studies(), operators_exact::studies()]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+type Outcomes = Arc<Mutex<Vec<Outcome>>>;
+
+fn main() -> ExitCode {
+    let (flags, others) = match Flags::split(std::env::args()) {
+        Ok(split) => split,
+        Err(message) => {
+            eprintln!("{message}");
+            return ExitCode::from(2);
+        }
+    };
+    let arguments = Arguments::from_iter(others);
+    let studies = Arc::new(studies());
+    assert_unique(&studies);
+    let outcomes = Outcomes::default();
+    let conclusion = libtest_mimic::run(&arguments, trials(&studies, &outcomes, &flags));
+    if !arguments.list {
+        let outcomes = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Err(error) = write_reports(&flags, &studies, &outcomes) {
+            eprintln!("the report could not be written: {error}");
+            return ExitCode::FAILURE;
+        }
+    }
+    conclusion.exit_code()
+}
+
+/// One trial for each study, and one for each of its mutants. What is not asked for is ignored, so
+/// that `--ignored` and `--include-ignored` find it.
+fn trials(studies: &Arc<Vec<Study>>, outcomes: &Outcomes, flags: &Flags) -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for (index, study) in studies.iter().enumerate() {
+        let skip = study.level == Level::Full && !flags.full;
+        trials.push(trial(study.name.clone(), studies, index, None, outcomes).with_ignored_flag(skip));
+        for &mutant in &study.mutants {
+            let name = format!("{}: {mutant}", study.name);
+            let skip = skip || !flags.mutants;
+            let trial = trial(name, studies, index, Some(mutant), outcomes).with_kind("mutant");
+            trials.push(trial.with_ignored_flag(skip));
+        }
+    }
+    trials
+}
+
+fn trial(
+    name: String,
+    studies: &Arc<Vec<Study>>,
+    index: usize,
+    mutant: Option<&'static str>,
+    outcomes: &Outcomes,
+) -> Trial {
+    let (studies, outcomes) = (Arc::clone(studies), Arc::clone(outcomes));
+    Trial::test(name, move || {
+        let study = &studies[index];
+        let outcome = mutant.map_or_else(|| study.run(), |mutant| study.run_mutant(mutant));
+        let (good, sentence) = (outcome.is_good(), outcome.sentence.clone());
+        outcomes.lock().unwrap_or_else(PoisonError::into_inner).push(outcome);
+        match (good, mutant) {
+            (true, _) => Ok(()),
+            (false, None) => Err(Failed::from(format!("{}: {sentence}", study.claim))),
+            (false, Some(_)) => Err(Failed::from(format!("the mutant was not noticed: {sentence}"))),
+        }
+    })
+}
+
+fn write_reports(flags: &Flags, studies: &[Study], outcomes: &[Outcome]) -> std::io::Result<()> {
+    for file in &flags.reports {
+        let report = Report::new(Environment::detect(), studies, outcomes);
+        match file.as_str() {
+            "-" => print!("{}", report.markdown()),
+            name if name.ends_with(".json") => std::fs::write(name, report.json())?,
+            name => std::fs::write(name, report.markdown())?,
+        }
+    }
+    Ok(())
+}
+
+/// Outcomes find their study by name.
+fn assert_unique(studies: &[Study]) {
+    let mut names: Vec<_> = studies.iter().map(|study| &study.name).collect();
+    names.sort_unstable();
+    for pair in names.windows(2) {
+        assert_ne!(pair[0], pair[1], "two studies have the same name");
+    }
+}
