@@ -55,6 +55,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         )
     }
 
+    /// What each account takes per time \[W\], from the last evaluation.
+    pub fn powers(&self) -> Works {
+        self.power
+    }
+
     /// Mass, momentum and energy now, and what has been taken so far.
     pub fn budget(&self) -> Budget<D> {
         let mut budget = Budget {
