@@ -15,6 +15,7 @@ mod reinitialisation;
 mod renormalised;
 mod velocity_gradient;
 mod wall;
+mod wall_friction;
 
 pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
