@@ -159,11 +159,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let mut memory_rate = core::mem::take(&mut self.water.rate.memory);
         deviator.resize(self.water.len(), SymTensor::zero());
         let (water, sums, weight) = (&self.water, &self.scratch.sums, self.gradient_weight);
+        let scale = |i: usize| match weight {
+            GradientWeight::Conjugate => T::ONE / water.density(i),
+            GradientWeight::Printed => T::ONE,
+        };
         let gradient = |i: usize| {
-            let scale = match weight {
-                GradientWeight::Conjugate => T::ONE / water.density(i),
-                GradientWeight::Printed => T::ONE,
-            };
+            let scale = scale(i);
             let mut rows = [[T::ZERO; D]; D];
             for (a, row) in rows.iter_mut().enumerate() {
                 for (b, value) in row.iter_mut().enumerate() {
@@ -172,6 +173,13 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             }
             Tensor::embed(&rows)
         };
+        if self.strain_control > T::ZERO {
+            let rows = |i: usize| -> [Vector<T, D>; D] {
+                core::array::from_fn(|a| vector_sum(sums, i, a * D) * scale(i))
+            };
+            self.scratch.velocity_gradient.clear();
+            self.scratch.velocity_gradient.extend((0..water.len()).map(rows));
+        }
         parallel::for_each_part(&mut deviator, 1, CHUNK, &|first, part: &mut [SymTensor<T>]| {
             for (k, tau) in part.iter_mut().enumerate() {
                 *tau = water.material().deviator(&gradient(first + k), &water.now.memory[first + k]);
