@@ -10,11 +10,20 @@
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
 mod bench;
+mod channel;
+mod drops;
+mod fits;
 mod flags;
+
 mod kernels;
 mod lattice_sums;
 mod operators;
 mod operators_exact;
+mod powers;
+mod sound;
+mod tanks;
+mod taylor_green;
+mod water;
 
 use alluvium::verify::{Environment, Level, Outcome, Report, Study};
 use flags::Flags;
@@ -24,10 +33,21 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
-    [kernels::studies(), lattice_sums::studies(), operators::studies(), operators_exact::studies()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        kernels::studies(),
+        lattice_sums::studies(),
+        operators::studies(),
+        operators_exact::studies(),
+        powers::studies(),
+        sound::studies(),
+        taylor_green::studies(),
+        channel::studies(),
+        tanks::studies(),
+        drops::studies(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 type Outcomes = Arc<Mutex<Vec<Outcome>>>;
