@@ -95,6 +95,39 @@ impl Mul<f64> for Works {
     }
 }
 
+/// What has been exchanged with the particles, or is per time: energy and momentum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exchange<const D: usize> {
+    /// Energy taken \[J\], or power \[W\].
+    pub taken: Works,
+    /// Momentum given by gravity, body forces and walls \[kg m/s\], or force \[N\].
+    pub impulse: [f64; D],
+}
+
+impl<const D: usize> Default for Exchange<D> {
+    fn default() -> Self {
+        Self { taken: Works::default(), impulse: [0.0; D] }
+    }
+}
+
+impl<const D: usize> Add for Exchange<D> {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        self.taken = self.taken + other.taken;
+        for (a, b) in self.impulse.iter_mut().zip(other.impulse) {
+            *a += b;
+        }
+        self
+    }
+}
+
+impl<const D: usize> Mul<f64> for Exchange<D> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self { taken: self.taken * factor, impulse: self.impulse.map(|x| x * factor) }
+    }
+}
+
 /// Mass, momentum and energy at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget<const D: usize> {
@@ -114,6 +147,8 @@ pub struct Budget<const D: usize> {
     pub compressive: f64,
     /// What each account has taken since the start \[J\]; negative if it gave.
     pub taken: Works,
+    /// Momentum that gravity, body forces and walls have given since the start \[kg m/s\].
+    pub impulse: [f64; D],
 }
 
 impl<const D: usize> Budget<D> {
@@ -125,5 +160,10 @@ impl<const D: usize> Budget<D> {
     /// Energy that no account explains, since `start` \[J\]; zero up to the time integration's error.
     pub fn closure(&self, start: &Self) -> f64 {
         self.energy() + self.taken.total() - start.energy() - start.taken.total()
+    }
+
+    /// Momentum that no force explains, since `start` \[kg m/s\]; zero up to rounding.
+    pub fn momentum_closure(&self, start: &Self) -> [f64; D] {
+        core::array::from_fn(|k| self.momentum[k] - self.impulse[k] - (start.momentum[k] - start.impulse[k]))
     }
 }

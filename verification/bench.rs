@@ -33,6 +33,14 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> Bench<T, K, D> {
             let periodic = arrangement.periodic().expect("a box with an extent");
             neighbourhood = neighbourhood.with_periodic(periodic);
         }
+        Self::with_neighbourhood(arrangement, kernel, neighbourhood)
+    }
+
+    pub fn with_neighbourhood(
+        arrangement: &Arrangement<D>,
+        kernel: K,
+        mut neighbourhood: Neighbourhood<T, D>,
+    ) -> Self {
         let places = arrangement.positions();
         let order = neighbourhood.cell_order(&places, 0);
         let x: Vec<_> = order.iter().map(|&i| neighbourhood.periodic().wrap(places[i as usize])).collect();

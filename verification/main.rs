@@ -14,7 +14,7 @@ mod channel;
 mod drops;
 mod fits;
 mod flags;
-
+mod identity;
 mod kernels;
 mod lattice_sums;
 mod operators;
@@ -36,6 +36,7 @@ fn studies() -> Vec<Study> {
     [
         kernels::studies(),
         lattice_sums::studies(),
+        identity::studies(),
         operators::studies(),
         operators_exact::studies(),
         powers::studies(),

@@ -100,13 +100,13 @@ fn linear_error<T: Real, const D: usize>(conditions: &Conditions) -> Measured {
             (0..cloud.len()).map(|i| Vector(core::array::from_fn(|a| fields[a][i]))).collect();
         let tensor = cloud.corrected_vector_gradient(&corrections, &vectors);
         let (mut measured, mut exact) = (Vec::new(), Vec::new());
-        for i in 0..cloud.len() {
+        for (vector, tensor) in scalar.iter().zip(&tensor) {
             for a in 0..D {
-                measured.push(scalar[i][a].as_f64());
+                measured.push(vector[a].as_f64());
                 exact.push(slope(0, a));
                 for b in 0..D {
                     let (a, b) = if conditions.is(TRANSPOSED) { (b, a) } else { (a, b) };
-                    measured.push(tensor[i][a][b].as_f64());
+                    measured.push(tensor[a][b].as_f64());
                 }
                 exact.extend((0..D).map(|b| slope(a, b)));
             }

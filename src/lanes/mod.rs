@@ -6,6 +6,8 @@
 
 mod dispatch;
 mod scalar;
+#[cfg(test)]
+mod tests;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 

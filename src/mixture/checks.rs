@@ -3,7 +3,7 @@
 use super::Mixture;
 use super::evaluation::vector_sum;
 use super::own_pairs::sum;
-use crate::budget::{Account, Works};
+use crate::budget::{Account, Exchange};
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel;
@@ -111,9 +111,9 @@ const DENSITY_RANGE: f64 = 0.5;
 
 /// What one look at all particles finds.
 #[derive(Clone, Default)]
-struct Survey {
+struct Survey<const D: usize> {
     acceleration2: f64,
-    powers: Works,
+    exchange_rate: Exchange<D>,
     suspect: Option<usize>,
 }
 
@@ -154,11 +154,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     }
 
     /// Rates after an evaluation: all finite, nobody on top of another. Also finds the largest
-    /// acceleration and the powers of the ledger.
+    /// acceleration and the rates of the ledger.
     pub(super) fn check_rates(&mut self) -> Result<(), StepError> {
         let h = self.kernel.smoothing_length().as_f64();
         let closest2 = (OVERLAP * h) * (OVERLAP * h);
-        let viscous = self.power[Account::Viscosity];
+        let viscous = self.exchange_rate.taken[Account::Viscosity];
         let survey = parallel::reduce(
             self.water.len(),
             Survey::default(),
@@ -169,7 +169,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
                 } else {
                     a.acceleration2
                 },
-                powers: a.powers + b.powers,
+                exchange_rate: a.exchange_rate + b.exchange_rate,
                 suspect: a.suspect.or(b.suspect),
             },
         );
@@ -177,12 +177,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             return Err(self.explain(i, closest2.sqrt()));
         }
         self.fastest_acceleration = T::of(survey.acceleration2.sqrt());
-        self.power = survey.powers;
-        self.power[Account::Viscosity] = viscous;
+        self.exchange_rate = survey.exchange_rate;
+        self.exchange_rate.taken[Account::Viscosity] = viscous;
         Ok(())
     }
 
-    fn survey(&self, range: core::ops::Range<usize>, closest2: f64) -> Survey {
+    fn survey(&self, range: core::ops::Range<usize>, closest2: f64) -> Survey<D> {
         let water = &self.water;
         let (walls, sums) = (water.wall_particles(), &self.scratch.sums);
         let mut found = Survey::default();
@@ -196,7 +196,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             if i >= walls && a2 > found.acceleration2 {
                 found.acceleration2 = a2;
             }
-            self.add_powers(i, a, &mut found.powers);
+            self.add_exchange(i, a, &mut found.exchange_rate);
         }
         found
     }

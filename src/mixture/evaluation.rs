@@ -125,7 +125,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
 
     /// Velocity gradient (62) → deviatoric stress (14), (15) and rate of the memory.
     pub(super) fn find_stress(&mut self) {
-        self.power[Account::Viscosity] = 0.0;
+        self.exchange_rate.taken[Account::Viscosity] = 0.0;
         if !self.water.material().needs_velocity_gradient() {
             return;
         }
@@ -193,7 +193,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             });
         }
         // Work of τ per time, V φ τ:∇v, for every particle that has its own stress.
-        self.power[Account::Viscosity] = parallel::reduce(
+        self.exchange_rate.taken[Account::Viscosity] = parallel::reduce(
             water.len(),
             0.0,
             |range| {
@@ -465,8 +465,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             self.water.shift_excess(i, shift);
         }
         let lost = before - self.compressive_energy();
-        for taken in &mut self.taken {
-            taken[Account::Reinitialisation] += lost;
+        for exchanged in &mut self.exchanged {
+            exchanged.taken[Account::Reinitialisation] += lost;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Mixture;
 use super::own_pairs::sum;
-use crate::budget::{Account, Budget, Works};
+use crate::budget::{Account, Budget, Exchange};
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel;
@@ -11,9 +11,10 @@ use crate::space::Vector;
 use crate::time::Moment;
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
-    /// Adds what particle `i`, accelerated by `a`, loses per time \[W\], term by term.
+    /// Adds what particle `i`, accelerated by `a`, loses and is given per time, term by term.
     #[inline(always)]
-    pub(super) fn add_powers(&self, i: usize, a: Vector<T, D>, powers: &mut Works) {
+    pub(super) fn add_exchange(&self, i: usize, a: Vector<T, D>, rate: &mut Exchange<D>) {
+        let powers = &mut rate.taken;
         let (water, sums) = (&self.water, &self.scratch.sums);
         let mass = water.mass[i].as_f64();
         let half = 0.5 * mass;
@@ -31,9 +32,21 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         }
         if i < water.wall_particles() {
             powers[Account::WallWork] += mass * a.dot(water.now.velocity[i]).as_f64();
-        } else if let Some(force) = self.force.as_ref().filter(|force| force.potential.is_none()) {
-            let push = (force.acceleration)(&water.position[i], self.time);
-            powers[Account::External] -= mass * push.dot(water.now.velocity[i]).as_f64();
+            for k in 0..D {
+                rate.impulse[k] -= mass * a[k].as_f64();
+            }
+            return;
+        }
+        let mut push = self.gravity;
+        if let Some(force) = &self.force {
+            let other = (force.acceleration)(&water.position[i], self.time);
+            push += other;
+            if force.potential.is_none() {
+                powers[Account::External] -= mass * other.dot(water.now.velocity[i]).as_f64();
+            }
+        }
+        for k in 0..D {
+            rate.impulse[k] += mass * push[k].as_f64();
         }
     }
 
@@ -70,7 +83,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             kinetic: 0.0,
             potential: 0.0,
             compressive: self.compressive_energy(),
-            taken: self.taken[Moment::Now as usize],
+            taken: self.exchanged[Moment::Now as usize].taken,
+            impulse: self.exchanged[Moment::Now as usize].impulse,
         };
         let water = &self.water;
         let gravity = self.gravity.as_f64();

@@ -11,6 +11,7 @@ mod ledger;
 mod momentum;
 mod own_pairs;
 mod phase;
+mod probe;
 mod reinitialisation;
 mod renormalised;
 mod strain_control;
@@ -22,9 +23,10 @@ pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
+pub use probe::Probe;
 pub use wall::{Slip, Wall, WallKind};
 
-use crate::budget::{Account, Works};
+use crate::budget::{Account, Exchange};
 use crate::error::ParameterError;
 use crate::kernel::{Kernel, WendlandC2};
 use crate::lanes::InstructionSet;
@@ -80,8 +82,9 @@ pub struct Mixture<T: Real, const D: usize, K: Kernel<T, D> = WendlandC2<T, D>, 
     gradient_weight: GradientWeight,
     strain_control: T,
     time: f64,
-    taken: [Works; 2],
-    power: Works,
+    exchanged: [Exchange<D>; 2],
+    /// Exchange per time, at the last evaluation.
+    exchange_rate: Exchange<D>,
     fastest_acceleration: T,
     scratch: Scratch<T, D>,
 }
@@ -124,8 +127,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             gradient_weight: GradientWeight::default(),
             strain_control: T::ZERO,
             time: 0.0,
-            taken: [Works::default(); 2],
-            power: Works::default(),
+            exchanged: [Exchange::default(); 2],
+            exchange_rate: Exchange::default(),
             fastest_acceleration: T::ZERO,
             scratch: Scratch::default(),
         }
@@ -284,6 +287,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         }
     }
 
+    /// Energy taken by each account per time \[W\] and force on the particles \[N\] at the last evaluation.
+    pub fn exchange_rate(&self) -> &Exchange<D> {
+        &self.exchange_rate
+    }
+
     /// Bytes held in particle arrays, lists and buffers.
     pub fn bytes(&self) -> usize {
         let scratch = &self.scratch;
@@ -313,9 +321,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Evolve<T> for Mix
 
     fn advance(&mut self, target: Moment, base: Moment, dt: T) {
         let returned = self.water.advance(target, base, dt);
-        let mut taken = self.taken[base as usize] + self.power * dt.as_f64();
-        taken[Account::Admission] += returned;
-        self.taken[target as usize] = taken;
+        let mut exchanged = self.exchanged[base as usize] + self.exchange_rate * dt.as_f64();
+        exchanged.taken[Account::Admission] += returned;
+        self.exchanged[target as usize] = exchanged;
     }
 
     fn drift(&mut self, moment: Moment, dt: T) {

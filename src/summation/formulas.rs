@@ -91,6 +91,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Formula<Gradie
     fn read<N: Num<Scalar = T>>(record: &[[N; 4]; 4]) -> Valued<N, D> {
         valued(record)
     }
+    #[expect(clippy::needless_range_loop, reason = "only plain loops keep the instruction set")]
     #[inline(always)]
     fn add_pair<N: Num<Scalar = T>>(&self, i: &Valued<N, D>, j: &Valued<N, D>, sums: &mut [N; MOST]) {
         let x = i.x - j.x;

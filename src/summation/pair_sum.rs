@@ -148,3 +148,6 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -108,7 +108,7 @@ impl Expected {
                 ((at_least..=at_most).contains(&last), sentence)
             }
             Self::Plateau { value, tolerance } => {
-                let error = values().last().unwrap_or(f64::NAN);
+                let error = values().next_back().unwrap_or(f64::NAN);
                 let order = measured.orders().last().copied().unwrap_or(f64::NAN);
                 let met = (error - value).abs() <= tolerance * value.abs() && order.abs() < 0.5;
                 (met, format!("error {error:.4e}, last order {order:.3}; {self}"))

@@ -23,6 +23,7 @@
 //! ```
 
 mod arrangement;
+pub mod dam_break;
 mod environment;
 mod expected;
 mod json;
