@@ -2,7 +2,7 @@
 
 use crate::scene::Tank;
 use alluvium::budget::Account;
-use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture};
+use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture, Wall};
 use alluvium::output::Table;
 use alluvium::parallel::Threads;
 use alluvium::simulation::Simulation;
@@ -15,6 +15,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 pub const LIGHT: &str = "gravity of 8 m/s²";
+pub const HEAVY: &str = "gravity of 14 m/s²";
 pub const UNDAMPED: &str = "neither artificial viscosity nor density diffusion";
 pub const THIN: &str = "walls of every third particle";
 pub const UNBOOKED: &str = "artificial viscosity left out of the ledger";
@@ -62,9 +63,32 @@ fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions)
     Threads::new(1).expect("a thread").install(|| watch(run, end, conditions))
 }
 
+/// A run whose ledger is looked at.
+#[derive(Clone, Copy, Debug)]
+pub struct Closing {
+    pub preset: Preset,
+    /// Dynamic walls, whatever the preset has.
+    pub dynamic: bool,
+    pub courant: f64,
+}
+
+impl Closing {
+    pub fn run(self, spacing: f64, conditions: &Conditions) -> Record {
+        let wall = if self.dynamic { Wall::dynamic() } else { self.preset.wall() };
+        let mixture = Tank::dam_break(spacing, self.preset).mixture::<f64>(wall);
+        let step_size = StepSize::courant(self.courant).expect("up to one");
+        let run = Simulation::new(mixture, LeapFrog::new(), step_size)
+            .with_reinitialisation(self.preset.reinitialise_every());
+        Threads::new(1).expect("a thread").install(|| watch(run, 0.5, conditions))
+    }
+}
+
 fn mutated<T: Real>(mixture: Mixture<T, 2>, conditions: &Conditions) -> Mixture<T, 2> {
     if conditions.is(LIGHT) {
         return mixture.with_gravity(Vector::of([0.0, -8.0]));
+    }
+    if conditions.is(HEAVY) {
+        return mixture.with_gravity(Vector::of([0.0, -14.0]));
     }
     if conditions.is(UNDAMPED) {
         let none = ArtificialViscosity { linear: T::ZERO, quadratic: T::ZERO };

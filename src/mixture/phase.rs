@@ -301,6 +301,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         &self.rate.acceleration
     }
 
+    /// Rate of the partial density dρ/dt \[kg/m³/s\] of particle `i` at the last evaluation; what
+    /// an extrapolated wall does not follow.
+    pub fn density_rate(&self, i: usize) -> T {
+        self.material.reference_density() * self.rate.excess[i]
+    }
+
     /// Deviatoric stress τ \[Pa\] of particle `i` at the last evaluation, positive in tension.
     pub fn deviator(&self, i: usize) -> SymTensor<T> {
         self.deviator.get(i).copied().unwrap_or_default()
