@@ -43,6 +43,10 @@ pub struct Simulation<
     pub(crate) started: bool,
 }
 
+/// A step that would leave less than this part of itself to go takes it along: rounding of the time
+/// must not make a step of almost nothing.
+const CRUMB: f64 = 1e-6;
+
 /// One step that has been done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -92,8 +96,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
         if limit == Limit::Fixed {
             self.refuse_too_long(dt, &limits)?;
         }
-        if dt.as_f64() > longest {
-            (dt, limit) = (T::of(longest), Limit::End);
+        let longest = T::of(longest);
+        if dt > longest * T::of(1.0 - CRUMB) {
+            limit = if dt > longest * T::of(1.0 + CRUMB) { Limit::End } else { limit };
+            dt = longest;
         }
         self.integrator.step(&mut self.mixture, dt)?;
         self.steps += 1;

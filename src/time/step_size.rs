@@ -20,15 +20,22 @@ pub enum Limit {
     End,
 }
 
-impl fmt::Display for Limit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Limit {
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
             Self::Acoustic => "acoustic",
             Self::Viscous => "viscous",
             Self::Force => "force",
             Self::Fixed => "fixed",
             Self::End => "end",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
