@@ -35,11 +35,16 @@ pub(crate) struct Sheared<N: Copy, const D: usize> {
     v: Vector<N, D>,
 }
 
+#[inline(always)]
 fn read<N: Num, const D: usize>(record: &Record<N>, with_velocity: bool) -> Sheared<N, D> {
+    let mut gradient = [Vector::zero(); D];
+    for a in 0..D {
+        gradient[a] = vector(record, D + 1 + a * D);
+    }
     Sheared {
         x: vector(record, 0),
         volume: number(record, D),
-        gradient: core::array::from_fn(|a| vector(record, D + 1 + a * D)),
+        gradient,
         v: if with_velocity { vector(record, D + 1 + D * D) } else { Vector::zero() },
     }
 }
@@ -91,7 +96,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let viscosity =
             self.water.material().kinematic_viscosity() * self.water.material().reference_density();
         let strength = T::of(2.0) * self.strain_control * viscosity;
-        if !(strength > T::ZERO) {
+        if strength <= T::ZERO {
             return;
         }
         self.extrapolate_gradient();
