@@ -4,9 +4,11 @@ use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::mixture::{ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture, Slip, Wall};
 use crate::real::Real;
+use core::fmt;
 
 /// Numerical choices for water alone. `docs/errata.md` says what goes wrong with the paper's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Preset {
     /// As printed: h = Δx, diffusion of the partial density, (70) every 20 steps, dynamic walls of
     /// three layers, Courant number 0.3.
@@ -18,6 +20,14 @@ pub enum Preset {
 }
 
 impl Preset {
+    /// Its name in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::Default => "default",
+        }
+    }
+
     /// h/Δx \[-\].
     pub fn smoothing_ratio(self) -> f64 {
         match self {
@@ -89,5 +99,11 @@ impl Preset {
             .and_then(|mixture| mixture.with_density_diffusion(self.density_diffusion()))
             .map(|mixture| mixture.with_gradient_weight(self.gradient_weight()))
             .expect("the constants above are in range")
+    }
+}
+
+impl fmt::Display for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }

@@ -21,7 +21,7 @@ use core::ops::ControlFlow;
 /// let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * spacing)?, water)
 ///     .with_gravity(Vector([0.0, -9.81]));
 /// let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2)?);
-/// run.run_until(0.01, |_| ControlFlow::Continue(()))?;
+/// let _ = run.run_until(0.01, |_| ControlFlow::Continue(()))?;
 /// let fallen = run.mixture().water().velocities()[0][1];
 /// assert!((fallen + 0.0981).abs() < 1e-9);
 /// # Ok(()) }
@@ -34,17 +34,22 @@ pub struct Simulation<
     F: Material<T> = Water<T>,
     I: Integrator<T> = LeapFrog<T>,
 > {
-    mixture: Mixture<T, D, K, F>,
-    integrator: I,
+    pub(crate) mixture: Mixture<T, D, K, F>,
+    pub(crate) integrator: I,
     step_size: StepSize<T>,
     reinitialise_every: usize,
-    steps: u64,
-    last: Step,
-    started: bool,
+    pub(crate) steps: u64,
+    pub(crate) last: Step,
+    pub(crate) started: bool,
 }
+
+/// A step that would leave less than this part of itself to go takes it along: rounding of the time
+/// must not make a step of almost nothing.
+const CRUMB: f64 = 1e-6;
 
 /// One step that has been done.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Step {
     /// Its length \[s\].
     pub length: f64,
@@ -91,8 +96,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
         if limit == Limit::Fixed {
             self.refuse_too_long(dt, &limits)?;
         }
-        if dt.as_f64() > longest {
-            (dt, limit) = (T::of(longest), Limit::End);
+        let longest = T::of(longest);
+        if dt > longest * T::of(1.0 - CRUMB) {
+            limit = if dt > longest * T::of(1.0 + CRUMB) { Limit::End } else { limit };
+            dt = longest;
         }
         self.integrator.step(&mut self.mixture, dt)?;
         self.steps += 1;

@@ -1,9 +1,10 @@
 //! What no single key can know: how a case's parts fit together.
 
-use super::choice::{Axis, Preset, Side};
+use super::choice::{Axis, Side};
 use super::model::{Block, Case, Dumps, StepSize, Tank};
 use super::read::expected_speed;
 use super::reader::Reader;
+use crate::preset::Preset;
 use core::ops::Range;
 
 const MOST_PARTICLES: f64 = 1e9;

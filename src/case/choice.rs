@@ -1,5 +1,7 @@
 //! Words a case file may choose from.
 
+use crate::preset::Preset;
+
 /// An enumeration whose variants are words in a case file.
 pub trait Choice: Copy + PartialEq + 'static {
     /// Every variant, in the order they are listed in messages.
@@ -29,15 +31,13 @@ macro_rules! choice {
     };
 }
 
-choice! {
-    /// Where the defaults come from.
-    Preset {
-        /// What is recommended.
-        Default = "default",
-        /// As printed in the paper.
-        Paper = "paper",
+impl Choice for Preset {
+    const ALL: &'static [Self] = &[Self::Default, Self::Paper];
+    fn word(self) -> &'static str {
+        self.name()
     }
 }
+
 choice! {
     /// The numbers the run is computed in.
     Precision {

@@ -19,6 +19,7 @@
 //! `docs/case-format.md` lists every key.
 
 mod bounds;
+mod build;
 mod check;
 mod choice;
 mod model;
@@ -29,9 +30,11 @@ mod reader;
 mod section;
 mod write;
 
+pub use crate::preset::Preset;
+pub use build::BuildError;
 pub use choice::{
-    Axis, Choice, DiffusionKind, Field, InitialPressure, IntegratorChoice, KernelChoice, Precision, Preset,
-    Quantity, SearchChoice, Side, Slip, WallKind,
+    Axis, Choice, DiffusionKind, Field, InitialPressure, IntegratorChoice, KernelChoice, Precision, Quantity,
+    SearchChoice, Side, Slip, WallKind,
 };
 pub use model::{
     Block, Case, Dumps, Gauge, MovingWall, Neighbours, Output, Particles, StepSize, Tank, Time, Walls, Water,

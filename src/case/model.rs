@@ -1,9 +1,10 @@
 //! What a case says, with every default resolved. SI units throughout.
 
 use super::choice::{
-    Axis, DiffusionKind, Field, InitialPressure, IntegratorChoice, KernelChoice, Precision, Preset, Quantity,
+    Axis, DiffusionKind, Field, InitialPressure, IntegratorChoice, KernelChoice, Precision, Quantity,
     SearchChoice, Side, Slip,
 };
+use crate::preset::Preset;
 
 /// A case of water, complete: nothing in it is left to a default.
 ///
@@ -52,7 +53,7 @@ pub struct Water {
     /// Dynamic viscosity μ \[Pa s\].
     pub viscosity: f64,
     /// Exponent γ of the equation of state \[–\].
-    pub tait_exponent: f64,
+    pub tait_exponent: i32,
     /// Artificial viscosity, linear η₁ \[–\].
     pub artificial_viscosity_linear: f64,
     /// Artificial viscosity, quadratic η₂ \[–\].

@@ -1,9 +1,12 @@
-//! The defaults: what is recommended, and what the paper prints.
+//! What a preset means for the keys a case leaves out.
 
-use super::choice::{DiffusionKind, IntegratorChoice, KernelChoice, Preset, WallKind};
+use super::choice::{DiffusionKind, IntegratorChoice, KernelChoice, WallKind};
+use crate::mixture::{self, DensityDiffusion};
+use crate::preset::Preset;
 
 /// What a case gets for the keys it leaves out.
 pub(super) struct Defaults {
+    pub(super) preset: Preset,
     pub(super) smoothing_ratio: f64,
     pub(super) kernel: KernelChoice,
     pub(super) artificial_viscosity: (f64, f64),
@@ -11,36 +14,37 @@ pub(super) struct Defaults {
     pub(super) diffusion_coefficient: f64,
     pub(super) reinitialisation_every: u64,
     pub(super) walls: WallKind,
-    /// None: as many as the support needs.
-    pub(super) layers: Option<u64>,
     pub(super) integrator: IntegratorChoice,
     pub(super) courant: f64,
 }
 
 /// The defaults of a preset.
 pub(super) fn defaults(preset: Preset) -> Defaults {
-    let recommended = Defaults {
-        smoothing_ratio: 1.3,
+    let viscosity = preset.artificial_viscosity::<f64>();
+    let diffusion = preset.density_diffusion::<f64>();
+    Defaults {
+        preset,
+        smoothing_ratio: preset.smoothing_ratio(),
         kernel: KernelChoice::WendlandC2,
-        artificial_viscosity: (0.01, 1.0),
-        diffusion: DiffusionKind::Hydrostatic,
-        diffusion_coefficient: 0.1,
-        reinitialisation_every: 0,
-        walls: WallKind::Extrapolated,
-        layers: None,
-        integrator: IntegratorChoice::LeapFrog,
-        courant: 0.2,
-    };
-    match preset {
-        Preset::Default => recommended,
-        Preset::Paper => Defaults {
-            smoothing_ratio: 1.0,
-            diffusion: DiffusionKind::PartialDensity,
-            reinitialisation_every: 20,
-            walls: WallKind::Dynamic,
-            layers: Some(3),
-            courant: 0.3,
-            ..recommended
+        artificial_viscosity: (viscosity.linear, viscosity.quadratic),
+        diffusion: kind(diffusion),
+        diffusion_coefficient: diffusion.coefficient(),
+        reinitialisation_every: preset.reinitialise_every() as u64,
+        walls: match preset.wall::<f64, 2>().kind() {
+            mixture::WallKind::Dynamic => WallKind::Dynamic,
+            mixture::WallKind::Extrapolated { .. } => WallKind::Extrapolated,
         },
+        integrator: IntegratorChoice::LeapFrog,
+        courant: preset.courant(),
+    }
+}
+
+fn kind(diffusion: DensityDiffusion<f64>) -> DiffusionKind {
+    match diffusion {
+        DensityDiffusion::None => DiffusionKind::None,
+        DensityDiffusion::PartialDensity(_) => DiffusionKind::PartialDensity,
+        DensityDiffusion::TrueDensity(_) => DiffusionKind::TrueDensity,
+        DensityDiffusion::Hydrostatic(_) => DiffusionKind::Hydrostatic,
+        DensityDiffusion::Renormalised(_) => DiffusionKind::Renormalised,
     }
 }

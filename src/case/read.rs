@@ -1,13 +1,14 @@
 //! A case file's tables, one function each.
 
 use super::bounds::{finite, from_to, positive};
-use super::choice::{DiffusionKind, Field, InitialPressure, Precision, Preset, SearchChoice, Slip, WallKind};
+use super::choice::{DiffusionKind, Field, InitialPressure, Precision, SearchChoice, Slip, WallKind};
 use super::model::{
     Block, Case, Dumps, Gauge, MovingWall, Neighbours, Output, Particles, StepSize, Tank, Time, Walls, Water,
 };
 use super::preset::{Defaults, defaults};
 use super::reader::Reader;
 use super::section::Section;
+use crate::preset::Preset;
 
 const NAME: &str = "letters, digits, - and _ (it names files)";
 const FAR: f64 = 1e7;
@@ -98,7 +99,7 @@ impl Context<'_, '_> {
                 .unwrap_or(1000.0),
             sound_speed: sound_speed.unwrap_or_else(|| self.sound_speed(&blocks, gravity, tank)),
             viscosity: section.number("viscosity_pa_s", from_to(0.0, 1e6, "Pa s")).unwrap_or(1e-3),
-            tait_exponent: section.number("tait_exponent", from_to(1.0, 15.0, "")).unwrap_or(7.0),
+            tait_exponent: section.count("tait_exponent", 1..=20).unwrap_or(7) as i32,
             artificial_viscosity_linear: viscosity.number("linear", from_to(0.0, 10.0, "")).unwrap_or(linear),
             artificial_viscosity_quadratic: viscosity
                 .number("quadratic", from_to(0.0, 10.0, ""))
@@ -170,7 +171,7 @@ impl Context<'_, '_> {
         let d = self.dimension;
         let walls = self.walls(section);
         let support = particles.kernel.support_ratio() * particles.smoothing_ratio;
-        let enough = self.defaults.layers.unwrap_or_else(|| (support - 1e-9).ceil() as u64);
+        let enough = self.defaults.preset.wall_layers(support) as u64;
         let tank = Tank {
             low: section.required_numbers("low_m", d, from_to(-FAR, FAR, "m")),
             high: section.required_numbers("high_m", d, from_to(-FAR, FAR, "m")),

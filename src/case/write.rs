@@ -52,7 +52,7 @@ fn water(f: &mut fmt::Formatter<'_>, water: &Water) -> fmt::Result {
     writeln!(f, "reference_density_kg_per_m3 = {:?}", water.reference_density)?;
     writeln!(f, "sound_speed_m_per_s = {:?}", water.sound_speed)?;
     writeln!(f, "viscosity_pa_s = {:?}", water.viscosity)?;
-    writeln!(f, "tait_exponent = {:?}", water.tait_exponent)?;
+    writeln!(f, "tait_exponent = {}", water.tait_exponent)?;
     writeln!(f, "\n[water.artificial_viscosity]")?;
     writeln!(f, "linear = {:?}", water.artificial_viscosity_linear)?;
     writeln!(f, "quadratic = {:?}", water.artificial_viscosity_quadratic)?;

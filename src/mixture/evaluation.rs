@@ -7,6 +7,7 @@ use super::own_pairs::{OwnPairs, sum};
 use super::reinitialisation::ShepardCompression;
 use super::renormalised::{CompressionGradient, RenormalisedDiffusion};
 use super::velocity_gradient::VelocityGradient;
+use super::wall_friction::{self, WallFriction};
 use super::{GradientWeight, Mixture, Slip, WallKind};
 use crate::budget::Account;
 use crate::kernel::Kernel;
@@ -148,6 +149,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         self.apply_law();
         if self.has_extrapolated_walls() {
             self.extrapolate_stress();
+            self.book_wall_friction();
         }
     }
 
@@ -156,11 +158,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let mut memory_rate = core::mem::take(&mut self.water.rate.memory);
         deviator.resize(self.water.len(), SymTensor::zero());
         let (water, sums, weight) = (&self.water, &self.scratch.sums, self.gradient_weight);
+        let scale = |i: usize| match weight {
+            GradientWeight::Conjugate => T::ONE / water.density(i),
+            GradientWeight::Printed => T::ONE,
+        };
         let gradient = |i: usize| {
-            let scale = match weight {
-                GradientWeight::Conjugate => T::ONE / water.density(i),
-                GradientWeight::Printed => T::ONE,
-            };
+            let scale = scale(i);
             let mut rows = [[T::ZERO; D]; D];
             for (a, row) in rows.iter_mut().enumerate() {
                 for (b, value) in row.iter_mut().enumerate() {
@@ -169,6 +172,13 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             }
             Tensor::embed(&rows)
         };
+        if self.strain_control > T::ZERO {
+            let rows = |i: usize| -> [Vector<T, D>; D] {
+                core::array::from_fn(|a| vector_sum(sums, i, a * D) * scale(i))
+            };
+            self.scratch.velocity_gradient.clear();
+            self.scratch.velocity_gradient.extend((0..water.len()).map(rows));
+        }
         parallel::for_each_part(&mut deviator, 1, CHUNK, &|first, part: &mut [SymTensor<T>]| {
             for (k, tau) in part.iter_mut().enumerate() {
                 *tau = water.material().deviator(&gradient(first + k), &water.now.memory[first + k]);
@@ -234,6 +244,29 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             }
             self.water.deviator[i] = stress;
         }
+    }
+
+    /// Adds to the loss by viscosity what it takes between fluid and extrapolated walls.
+    fn book_wall_friction(&mut self) {
+        let formula = WallFriction::<K, D> { kernel: self.kernel.clone() };
+        let (water, shown) = (&self.water, &self.scratch.wall_velocity);
+        self.neighbourhood.pack(
+            &water.position,
+            &mut self.scratch.records,
+            <WallFriction<K, D> as PairFormula<T>>::BLOCKS,
+            &[T::ZERO; 13][..wall_friction::record_length(D) - D],
+            &|i, record: &mut [T]| {
+                let (v, density) = (&water.now.velocity[i], water.density(i));
+                let pull = water.volume_fraction[i] / (density * density);
+                let velocities = [v, shown.get(i).unwrap_or(v)];
+                wall_friction::write(record, velocities, water.mass[i], pull, &water.deviator[i]);
+            },
+        );
+        let walls = water.wall_particles();
+        self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
+        let friction = |i: usize| (water.mass[i] * self.scratch.extra.get(i, 0)).as_f64();
+        let extrapolated = (0..walls).filter(|&i| !water.is_evolving(i));
+        self.exchange_rate.taken[Account::Viscosity] += extrapolated.map(friction).sum::<f64>();
     }
 
     /// Continuity (52) and the phase's own part of momentum (58).

@@ -139,7 +139,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             potential: 0.0,
             compressive: self.compressive_energy(),
             taken: self.exchanged[Moment::Now as usize].taken,
-            impulse: self.exchanged[Moment::Now as usize].impulse,
+            impulse: self.exchanged[Moment::Now as usize].impulse.0,
         };
         let water = &self.water;
         let gravity = self.gravity.as_f64();

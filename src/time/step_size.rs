@@ -6,6 +6,7 @@ use core::fmt;
 
 /// What can limit a time step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Limit {
     /// Sound: `C h/c` (73).
     Acoustic,
@@ -19,15 +20,22 @@ pub enum Limit {
     End,
 }
 
-impl fmt::Display for Limit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Limit {
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
             Self::Acoustic => "acoustic",
             Self::Viscous => "viscous",
             Self::Force => "force",
             Self::Fixed => "fixed",
             Self::End => "end",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -57,6 +65,7 @@ impl<T: Real> Limits<T> {
 
 /// How the step is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StepSize<T> {
     /// As long as the limits allow, with this Courant number in (73).
     Courant(T),

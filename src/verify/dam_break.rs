@@ -63,6 +63,24 @@ impl Curve {
         Some(left.1 + (right.1 - left.1) * (time - left.0) / (right.0 - left.0))
     }
 
+    /// The part of it between two times, ends included.
+    pub fn between(&self, from: f64, to: f64) -> Self {
+        Self::new(self.points.iter().copied().filter(|p| (from..=to).contains(&p.0)).collect())
+    }
+
+    /// How far its points leave the envelope of `others` at most: zero if it stays inside. Where only
+    /// some of them are known, those make the envelope.
+    pub fn beyond(&self, others: &[&Self]) -> f64 {
+        let beyond = self.points.iter().map(|&(time, value)| {
+            let known = || others.iter().filter_map(|other| other.at(time));
+            let (low, high) =
+                (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
+            (low - value).max(value - high).max(0.0)
+        });
+        // Where nothing is known, nothing can be said.
+        beyond.filter(|x| x.is_finite()).fold(0.0, f64::max)
+    }
+
     /// Root mean square of its distance from `reference`'s points, each `shift` later, and how many
     /// points had a counterpart.
     pub fn distance(&self, reference: &Self, shift: f64) -> (f64, usize) {
@@ -225,4 +243,29 @@ pub fn stuck<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
         .iter()
         .filter(|x| near(x[0].as_f64(), -9.0, 2.0) && x[1].as_f64() > surface + 2.0 * spacing)
         .count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parabola(shift: f64) -> Curve {
+        let point = |n| (0.05 * f64::from(n), 1.0 + 0.4 * (0.05 * f64::from(n) + shift).powi(2));
+        Curve::new((0..=80).map(point).collect())
+    }
+
+    #[test]
+    fn a_shift_in_time_is_found() {
+        let (shift, rms) = parabola(0.0).best_shift(&parabola(0.2).between(0.5, 2.5));
+        assert!(rms < 1e-3 && (shift - 0.2).abs() < 2e-3, "{rms} {shift}");
+    }
+
+    #[test]
+    fn leaving_an_envelope_is_measured() {
+        let (low, high) = (parabola(-0.1), parabola(0.1));
+        assert_eq!(parabola(0.0).beyond(&[&low, &high]), 0.0);
+        let by = parabola(0.2).between(1.0, 1.951).beyond(&[&low, &high]);
+        assert!((by - 0.4 * (2.15_f64.powi(2) - 2.05_f64.powi(2))).abs() < 1e-3, "{by}");
+        assert_eq!(low.at(100.0), None);
+    }
 }

@@ -61,7 +61,7 @@ pub struct CheckOptions {
 }
 
 /// Where results go, and how many threads compute them.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct OutputOptions {
     /// The run's folder [default: runs/NAME].
     #[arg(long, value_name = "FOLDER")]

@@ -12,6 +12,7 @@ mod published;
 mod reporter;
 mod reproduce;
 mod run;
+mod simulated;
 mod solver;
 #[cfg(test)]
 mod stand_in;

@@ -8,7 +8,7 @@ use crate::manifest::Manifest;
 use crate::outcome::Failure;
 use crate::preflight;
 use crate::reporter::Reporter;
-use crate::solver::{Solver, Step, View};
+use crate::solver::{Solver, Step};
 use alluvium::case::{Case, Warnings};
 use alluvium::output::{Cell, Pvd, TableWriter};
 use alluvium::parallel::Threads;
@@ -18,16 +18,23 @@ use std::path::{Path, PathBuf};
 pub struct Finished {
     /// Its folder, for what is drawn from it.
     pub folder: RunFolder,
-    /// The particles at each dump, with the time \[s\].
-    pub views: Vec<(f64, View)>,
+    /// Steps it took.
+    pub steps: u64,
+    /// Particles of water and of walls.
+    pub particles: (usize, usize),
+    /// How long it took \[s\].
+    pub wall_clock: f64,
     /// Written again once pictures are in the folder.
     pub manifest: Manifest,
 }
 
+/// Looks on at every dump, at the time \[s\] given.
+pub type Onlooker<'a> = dyn FnMut(f64, &mut dyn Solver) + Send + 'a;
+
 /// `alluvium run CASE.toml`.
 pub fn run_file(options: &RunOptions) -> Result<(), Failure> {
     let (case, warnings) = read_case(&options.case)?;
-    run_case(case, &warnings, &options.output, false).map(drop)
+    run_case(case, &warnings, &options.output, &mut |_, _| {}).map(drop)
 }
 
 /// Reads a case file.
@@ -37,14 +44,14 @@ pub fn read_case(path: &Path) -> Result<(Case, Warnings), Failure> {
     Ok(Case::parse(&path.display().to_string(), &text)?)
 }
 
-/// Runs a case in its folder; `keep_views` keeps the particles of each dump for pictures.
+/// Runs a case in its folder; the onlooker gathers what pictures and reports need.
 pub fn run_case(
     case: Case,
     warnings: &Warnings,
     options: &OutputOptions,
-    keep_views: bool,
+    onlooker: &mut Onlooker<'_>,
 ) -> Result<Finished, Failure> {
-    run_with(connect::connect, case, warnings, options, keep_views)
+    run_with(connect::connect, case, warnings, options, onlooker)
 }
 
 /// The same, by a solver of one's own.
@@ -53,7 +60,7 @@ pub fn run_with(
     mut case: Case,
     warnings: &Warnings,
     options: &OutputOptions,
-    keep_views: bool,
+    onlooker: &mut Onlooker<'_>,
 ) -> Result<Finished, Failure> {
     case.threads = options.threads.unwrap_or(case.threads);
     let threads = Threads::new(case.threads).map_err(|error| Failure::Usage(error.to_string()))?;
@@ -65,32 +72,38 @@ pub fn run_with(
         let mut manifest = Manifest::new(&case, threads.count());
         manifest.write(&mut folder)?;
         interrupt::listen();
-        let mut run = Run::new(&case, folder, keep_views)?;
+        let mut run = Run::new(&case, folder, onlooker)?;
         run.introduce(warnings);
         let ended = run.go(solver.as_mut());
         run.conclude(&ended, &mut manifest, solver.as_ref())?;
-        ended.map(|()| Finished { folder: run.folder, views: run.views.unwrap_or_default(), manifest })
+        ended.map(|()| Finished {
+            steps: solver.steps(),
+            particles: solver.particles(),
+            wall_clock: run.reporter.elapsed(),
+            folder: run.folder,
+            manifest,
+        })
     })
 }
 
-struct Run<'a> {
+struct Run<'a, 'b> {
     case: &'a Case,
     folder: RunFolder,
     reporter: Reporter,
-    views: Option<Vec<(f64, View)>>,
+    onlooker: &'a mut Onlooker<'b>,
     history: Option<TableWriter>,
     gauges: Vec<TableWriter>,
     series: Vec<(&'static str, Pvd)>,
     dumps: usize,
 }
 
-impl<'a> Run<'a> {
-    fn new(case: &'a Case, mut folder: RunFolder, keep_views: bool) -> Result<Self, Failure> {
+impl<'a, 'b> Run<'a, 'b> {
+    fn new(case: &'a Case, mut folder: RunFolder, onlooker: &'a mut Onlooker<'b>) -> Result<Self, Failure> {
         Ok(Self {
             case,
             reporter: Reporter::new(&mut folder)?,
             folder,
-            views: keep_views.then(Vec::new),
+            onlooker,
             history: None,
             gauges: Vec::new(),
             series: Vec::new(),
@@ -114,8 +127,10 @@ impl<'a> Run<'a> {
         let mut dumps = self.case.dump_times().into_iter().peekable();
         let mut step = Step { length: 0.0, limit: "none" };
         let mut records = Records::new(self.case.output.history_interval);
+        // Adding up steps rounds: this close to an instant is there.
+        let near = 1e-10 * end;
         loop {
-            let time = solver.time();
+            let time = solver.time() + near;
             if records.is_due(time) || time >= end {
                 self.record(solver, step)?;
             }
@@ -151,7 +166,7 @@ impl<'a> Run<'a> {
         if self.history.is_none() {
             let own = ["time [s]", "steps", "time_step [s]", "limit", "wall_clock [s]"];
             let columns: Vec<&str> =
-                own.into_iter().chain(quantities.iter().map(|(name, _)| *name)).collect();
+                own.into_iter().chain(quantities.iter().map(|(name, _)| name.as_str())).collect();
             self.history = Some(TableWriter::create(self.folder.file("history.csv")?, &columns)?);
         }
         let wall = (self.reporter.elapsed() * 1e3).round() / 1e3;
@@ -192,9 +207,7 @@ impl<'a> Run<'a> {
             }
             self.series[n].1.add(time, name)?;
         }
-        if let Some(views) = &mut self.views {
-            views.push((time, solver.view()));
-        }
+        (self.onlooker)(time, solver);
         let row = self.log_row(solver, step);
         self.reporter.say(&row);
         self.dumps += 1;

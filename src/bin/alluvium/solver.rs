@@ -2,13 +2,14 @@
 
 use alluvium::case::{Field, Gauge};
 use alluvium::output::Vtp;
+use alluvium::verify::dam_break::{Reference, VelocityError};
 
 /// One step that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// Its length Δt \[s\].
     pub length: f64,
-    /// What bounded it, as in `acoustic`, `viscous`, `force`, `fixed`, `output`.
+    /// What bounded it, as in `acoustic`, `viscous`, `force`, `fixed`, `end`.
     pub limit: &'static str,
 }
 
@@ -42,7 +43,7 @@ pub trait Solver {
 
     /// What is recorded in the history: always the same names, with units, as in `front [m]`, in the same
     /// order.
-    fn quantities(&mut self) -> Vec<(&'static str, f64)>;
+    fn quantities(&mut self) -> Vec<(String, f64)>;
 
     /// The particles, one file per phase, with its name, as in `water`.
     fn files(&mut self, fields: &[Field]) -> Vec<(&'static str, Vtp)>;
@@ -52,11 +53,27 @@ pub trait Solver {
 
     /// The particles for a picture.
     fn view(&mut self) -> View;
+
+    /// What is measured on a dam break, against a finite-volume solution of it.
+    fn dam_break(&self, reference: &Reference) -> DamBreak;
+}
+
+/// Measures of a dam break at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct DamBreak {
+    /// Pressure noise over ρgH, and how many particles it is taken over.
+    pub noise: (f64, usize),
+    /// Particles that went through a wall.
+    pub leaked: usize,
+    /// Particles left hanging at the left wall.
+    pub stuck: usize,
+    /// Error of the horizontal velocity (78).
+    pub velocity: VelocityError,
 }
 
 /// Names of recorded quantities that pictures are drawn from; a solver may record more.
 pub mod quantity {
-    /// Farthest place of the water along x.
+    /// Farthest place of the water along x: the foremost particle and half its spacing.
     pub const FRONT: &str = "front [m]";
     /// Energies; per metre of depth in two dimensions.
     pub const KINETIC: &str = "kinetic_energy [J]";
@@ -64,7 +81,9 @@ pub mod quantity {
     pub const POTENTIAL: &str = "potential_energy [J]";
     /// Of compression.
     pub const COMPRESSIVE: &str = "compressive_energy [J]";
-    /// Beginning of every column of energy that a term took, as in
-    /// `dissipated_by_artificial_viscosity [J]`.
-    pub const DISSIPATED: &str = "dissipated_by_";
+    /// Beginning of every column of energy that a term took, as in `taken_by_artificial_viscosity [J]`;
+    /// negative if it gave.
+    pub const TAKEN: &str = "taken_by_";
+    /// Energy no account explains.
+    pub const CLOSURE: &str = "energy_closure [J]";
 }

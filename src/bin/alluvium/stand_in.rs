@@ -1,10 +1,11 @@
 //! A solver that simulates nothing, to test what is around it: a column whose front moves as a parabola.
 
 use crate::outcome::Failure;
-use crate::solver::{Solver, Step, Stopped, View, quantity};
+use crate::solver::{DamBreak, Solver, Step, Stopped, View, quantity};
 use alluvium::Vector;
 use alluvium::case::{Case, Field, Gauge, Warnings};
 use alluvium::output::Vtp;
+use alluvium::verify::dam_break::{Reference, VelocityError};
 use std::path::PathBuf;
 
 /// A small case with three dumps and a gauge.
@@ -72,15 +73,17 @@ impl Solver for StandIn {
         }
     }
 
-    fn quantities(&mut self) -> Vec<(&'static str, f64)> {
+    fn quantities(&mut self) -> Vec<(String, f64)> {
         let lost = 1.0 - 0.5 * self.time;
-        vec![
+        let named = [
             (quantity::FRONT, self.front()),
             (quantity::KINETIC, 1.0 - lost),
             (quantity::POTENTIAL, lost),
             (quantity::COMPRESSIVE, 0.0),
-            ("dissipated_by_artificial_viscosity [J]", 0.1 * self.time),
-        ]
+            ("taken_by_artificial_viscosity [J]", 0.1 * self.time),
+            (quantity::CLOSURE, 0.0),
+        ];
+        named.map(|(name, value)| (name.to_owned(), value)).to_vec()
     }
 
     fn files(&mut self, _: &[Field]) -> Vec<(&'static str, Vtp)> {
@@ -93,5 +96,10 @@ impl Solver for StandIn {
 
     fn view(&mut self) -> View {
         View { water: vec![([self.front(), 0.0, 0.0], 500.0)], walls: vec![[0.0, -0.01, 0.0]] }
+    }
+
+    fn dam_break(&self, _: &Reference) -> DamBreak {
+        let velocity = VelocityError { l2: 0.1, compared: 10, left_out: 0 };
+        DamBreak { noise: (0.01, 10), leaked: 0, stuck: 0, velocity }
     }
 }

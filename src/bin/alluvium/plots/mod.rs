@@ -3,7 +3,6 @@
 mod canvas;
 mod chart;
 mod colour;
-#[cfg_attr(not(test), expect(dead_code, reason = "the convergence study will draw it"))]
 mod convergence;
 mod particles;
 #[cfg(test)]
@@ -11,6 +10,5 @@ mod samples;
 mod scale;
 
 pub use chart::{Chart, Series};
-#[cfg_attr(not(test), expect(unused_imports, reason = "the convergence study will draw it"))]
 pub use convergence::convergence;
 pub use particles::{Panel, ParticlePicture};

@@ -1,0 +1,70 @@
+//! Front, energy, time step, particles.
+
+use super::Results;
+use crate::plots::{Chart, Panel, ParticlePicture, Series};
+use crate::solver::{View, quantity};
+use alluvium::verify::dam_break::dimensionless_time;
+
+/// The front against published data.
+pub fn front(results: &Results, spacing: f64) -> String {
+    let name = format!("alluvium, Δx = {} mm", spacing * 1e3);
+    let computed = results.front.between(0.0, 3.4).points().to_vec();
+    let chart = Chart::new("Dam break: the front", "T = t √(2g/L)", "X = x/L")
+        .x_range(0.0, 3.4)
+        .y_range(0.8, 4.4)
+        .with(Series::line(&name, computed));
+    let series = |(name, curve): &(&str, _)| Series::points(name, points(curve));
+    results.published.iter().map(series).fold(chart, Chart::with).svg()
+}
+
+fn points(curve: &alluvium::verify::dam_break::Curve) -> Vec<(f64, f64)> {
+    curve.points().to_vec()
+}
+
+/// Stored and taken energy, stacked: the top edge is level if all is accounted for.
+pub fn energy(results: &Results) -> String {
+    let whole: f64 = results.energies.iter().filter_map(|(_, e)| e.first()).sum();
+    let shares = |e: &Vec<f64>| e.iter().map(|e| e / whole).collect::<Vec<_>>();
+    // An account that never holds a two-thousandth is not worth a colour.
+    let seen = |e: &Vec<f64>| e.iter().any(|e| e.abs() > 5e-4 * whole);
+    let energies = results.energies.iter().filter(|(_, e)| seen(e));
+    let parts: Vec<_> = energies.map(|(name, e)| (name.as_str(), shares(e))).collect();
+    Chart::new("Dam break: where the energy is", "time [s]", "energy / energy at the start")
+        .x_range(0.0, results.time.last().copied().unwrap_or(1.0))
+        .y_range(0.0, 1.1)
+        .with_all(Series::stack(&results.time, &parts))
+        .svg()
+}
+
+/// The step in time.
+pub fn time_step(results: &Results) -> String {
+    let steps =
+        results.time.iter().copied().zip(results.step.iter().map(|step| step * 1e6)).skip(1).collect();
+    Chart::new("Dam break: the time step", "time [s]", "Δt [µs]").with(Series::line("", steps)).svg()
+}
+
+/// `taken_by_artificial_viscosity [J]` as words for a legend.
+pub fn readable(column: &str) -> String {
+    let name = column.split(" [").next().unwrap_or(column);
+    name.replace(quantity::TAKEN, "taken by ").replace('_', " ").replace(" energy", "")
+}
+
+/// Pressure at the paper's times.
+pub fn particles(views: &[(f64, View)], spacing: f64) -> String {
+    let picture = ParticlePicture {
+        quantity: "pressure [kPa]",
+        range: (0.0, 2.0),
+        window: ([-0.01, -0.01], [0.41, 0.25]),
+        spacing,
+        axes: ["x [m]", "y [m]"],
+        columns: 2,
+    };
+    let flat = |x: &[f64; 3]| [x[0], x[1]];
+    let panel = |(time, view): &(f64, View)| Panel {
+        caption: format!("t = {time:.2} s, T = {:.2}", dimensionless_time(*time)),
+        particles: view.water.iter().map(|(x, p)| (flat(x), p * 1e-3)).collect(),
+        walls: view.walls.iter().map(flat).collect(),
+    };
+    let shown = views.iter().filter(|(time, _)| *time > 0.04 && *time < 0.35);
+    picture.svg(&shown.map(panel).collect::<Vec<_>>())
+}
