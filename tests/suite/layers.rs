@@ -32,6 +32,7 @@ const DRIVEN: &[&str] = &[
     "setup",
     "preset",
     "simulation",
+    "snapshot",
     "output",
 ];
 /// What everybody may use.
