@@ -11,6 +11,8 @@
 
 mod bench;
 mod channel;
+mod dam_break;
+mod dam_run;
 mod drops;
 mod fits;
 mod flags;
@@ -20,7 +22,9 @@ mod lattice_sums;
 mod operators;
 mod operators_exact;
 mod powers;
+mod scene;
 mod sound;
+mod still_tank;
 mod tanks;
 mod taylor_green;
 mod water;
@@ -34,6 +38,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
     [
+        dam_break::studies(),
         kernels::studies(),
         lattice_sums::studies(),
         identity::studies(),
@@ -45,6 +50,7 @@ fn studies() -> Vec<Study> {
         channel::studies(),
         tanks::studies(),
         drops::studies(),
+        still_tank::studies(),
     ]
     .into_iter()
     .flatten()

@@ -105,7 +105,7 @@ fn residual<T: Real, const D: usize>(kind: WallKind, seed: u64, conditions: &Con
     }
     mixture.evaluate().expect("rates");
     let mut terms = energy_rates(&mixture, conditions);
-    let powers = mixture.powers();
+    let powers = mixture.exchange_rate().taken;
     for account in Account::ALL {
         let dropped = DROPPED.iter().any(|(name, which)| *which == account && conditions.is(name))
             || (account == Account::WallExtrapolation && conditions.is(NO_WALL));

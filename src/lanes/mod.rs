@@ -3,6 +3,22 @@
 //! A lane is a particle. Each lane adds up its own neighbours in its own order, so the width of the
 //! machine does not change a single bit of the result. Only `#[inline(always)] fn`s and plain `for`
 //! loops may appear in code that runs in lanes: a closure loses the instruction set it is called for.
+//!
+//! Operators on lanes are safe, yet need instructions the processor may lack; so nobody outside can
+//! name lanes, or an instruction set that was not detected:
+//!
+//! ```compile_fail,E0576
+//! type Wide = <f32 as alluvium::Real>::Avx512;
+//! ```
+//! ```compile_fail,E0576
+//! fn wide<T: alluvium::Real>(x: <T as alluvium::Real>::Avx512) {}
+//! ```
+//! ```compile_fail,E0624
+//! fn wide<T: alluvium::Real>(x: T::Avx512) {}
+//! ```
+//! ```compile_fail,E0423
+//! let set = alluvium::InstructionSet(3);
+//! ```
 
 mod dispatch;
 mod scalar;

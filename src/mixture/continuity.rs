@@ -7,6 +7,7 @@ use crate::space::Vector;
 ///
 /// The coefficient δ \[-\] is 0.1 in the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum DensityDiffusion<T> {
     /// No diffusion.
     None,

@@ -268,7 +268,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
         let friction = |i: usize| (water.mass[i] * self.scratch.extra.get(i, 0)).as_f64();
         let extrapolated = (0..walls).filter(|&i| !water.is_evolving(i));
-        self.power[Account::Viscosity] += extrapolated.map(friction).sum::<f64>();
+        self.exchange_rate.taken[Account::Viscosity] += extrapolated.map(friction).sum::<f64>();
     }
 
     /// Continuity (52) and the phase's own part of momentum (58).

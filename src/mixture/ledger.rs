@@ -68,11 +68,6 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         )
     }
 
-    /// What each account takes per time \[W\], from the last evaluation.
-    pub fn powers(&self) -> Works {
-        self.power
-    }
-
     /// Mass, momentum and energy now, and what has been taken so far.
     pub fn budget(&self) -> Budget<D> {
         let mut budget = Budget {
@@ -84,7 +79,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             potential: 0.0,
             compressive: self.compressive_energy(),
             taken: self.exchanged[Moment::Now as usize].taken,
-            impulse: self.exchanged[Moment::Now as usize].impulse,
+            impulse: self.exchanged[Moment::Now as usize].impulse.0,
         };
         let water = &self.water;
         let gravity = self.gravity.as_f64();

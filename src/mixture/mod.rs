@@ -14,6 +14,7 @@ mod phase;
 mod probe;
 mod reinitialisation;
 mod renormalised;
+mod state;
 mod strain_control;
 mod velocity_gradient;
 mod wall;
@@ -24,6 +25,7 @@ pub use continuity::DensityDiffusion;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;
+pub use state::MixtureState;
 pub use wall::{Slip, Wall, WallKind};
 
 use crate::budget::{Account, Exchange};
@@ -50,6 +52,7 @@ struct BodyForce<T, const D: usize> {
 
 /// Weight of a neighbour in the velocity gradient (62), (65).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum GradientWeight {
     /// `m_j/ρ_i`: conjugate to the stress sums, so that energy closes exactly.
     #[default]

@@ -8,7 +8,15 @@ use crate::space::{SymTensor, Vector};
 use crate::time::Moment;
 
 /// The fields an integrator advances, at one instant.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, M: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
 pub(crate) struct Fields<T: Real, const D: usize, M> {
     pub(crate) velocity: Vec<Vector<T, D>>,
     /// ρ/ρ̃₀ − φ: the partial density beyond its reference; kept instead of ρ so that `f32` does not
@@ -18,12 +26,34 @@ pub(crate) struct Fields<T: Real, const D: usize, M> {
 }
 
 /// Rates of change at the whole step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, M: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
 pub(crate) struct Rates<T: Real, const D: usize, M> {
     /// \[m/s²\]; for wall particles what they would feel, kept as the reaction.
     pub(crate) acceleration: Vec<Vector<T, D>>,
     pub(crate) excess: Vec<T>,
     pub(crate) memory: Vec<M>,
+}
+
+impl<T: Real, const D: usize, M> Fields<T, D, M> {
+    /// Particles in every array; the smallest number where they differ.
+    pub(crate) fn len(&self) -> usize {
+        self.velocity.len().min(self.excess.len()).min(self.memory.len())
+    }
+}
+
+impl<T: Real, const D: usize, M> Rates<T, D, M> {
+    /// Particles in every array; the smallest number where they differ.
+    pub(crate) fn len(&self) -> usize {
+        self.acceleration.len().min(self.excess.len()).min(self.memory.len())
+    }
 }
 
 /// Particles of one constituent, wall particles first.

@@ -122,7 +122,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             self.water.rate.acceleration[i] += push;
             taken -= (self.water.mass[i] * push.dot(self.water.now.velocity[i])).as_f64();
         }
-        self.power[Account::Viscosity] += taken;
+        self.exchange_rate.taken[Account::Viscosity] += taken;
     }
 
     /// The velocity gradient of wall particles: the mean of the fluid's beside them.

@@ -18,6 +18,9 @@ impl<T: Real, const D: usize> NeighbourSearch<T, D> for BruteForce {
     fn rebuild(&mut self, points: &[Vector<T, D>], _: T) {
         self.count = points.len() as u32;
     }
+    fn cell(&self, _: &Vector<T, D>) -> Option<usize> {
+        Some(0)
+    }
     fn candidates(&self, _: &Vector<T, D>, ranges: &mut Vec<Range<u32>>) {
         ranges.push(0..self.count);
     }

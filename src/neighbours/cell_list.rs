@@ -38,8 +38,7 @@ impl<T: Real, const D: usize> NeighbourSearch<T, D> for CellList<T, D> {
     }
 
     fn rebuild(&mut self, points: &[Vector<T, D>], radius: T) {
-        // A hair wider, so that rounding in the cell number cannot lose a point at the radius.
-        self.grid = Grid::cover(points, radius * (T::ONE + T::of(16.0) * T::EPSILON));
+        self.grid = Grid::cover(points, radius);
         let mut cells: Vec<u32> =
             points.iter().map(|x| self.grid.index(self.grid.coordinates(x)) as u32).collect();
         self.order = None;
@@ -60,7 +59,14 @@ impl<T: Real, const D: usize> NeighbourSearch<T, D> for CellList<T, D> {
         }
     }
 
+    fn cell(&self, place: &Vector<T, D>) -> Option<usize> {
+        Some(self.grid.index(self.grid.coordinates(place)))
+    }
+
     fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>) {
+        if !place.is_finite() {
+            return; // it has no neighbours, but a cell full of its like could take for ever to tell
+        }
         let centre = self.grid.coordinates(place);
         let counts = &self.grid.counts;
         let low: [usize; D] = core::array::from_fn(|k| centre[k].saturating_sub(1));

@@ -36,8 +36,15 @@ pub trait NeighbourSearch<T: Real, const D: usize>: Debug + Send + Sync {
     fn rebuild(&mut self, points: &[Vector<T, D>], radius: T);
     /// Appends ranges of indices that together hold every point at `r ≤ radius` from `place`.
     ///
-    /// They may hold more, in any order, but none twice. Few long ranges are faster than many short.
+    /// They may hold more, in any order; few long ranges are faster than many short. A place or a
+    /// point with an infinite or undefined coordinate has no neighbours and must not cause a panic;
+    /// nor has any if the radius is not positive.
     fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>);
+    /// A number that two places share only if they have the same candidates, so that neighbours need
+    /// not ask twice; `None` if there is no telling.
+    fn cell(&self, _place: &Vector<T, D>) -> Option<usize> {
+        None
+    }
 }
 
 /// The candidates near `place` as ascending, non-touching ranges, each inside one of `allowed`
@@ -57,7 +64,9 @@ pub(crate) fn sorted_candidates<T: Real, const D: usize>(
     }
     for range in raw.iter() {
         for window in allowed {
-            let (start, end) = (range.start.max(window.start), range.end.min(window.end));
+            // What an earlier range held is not taken twice.
+            let done = sorted.last().map_or(0, |last| last.end);
+            let (start, end) = (range.start.max(window.start).max(done), range.end.min(window.end));
             if start >= end {
                 continue;
             }

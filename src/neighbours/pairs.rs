@@ -4,7 +4,7 @@ use super::{NeighbourSearch, Periodic, sorted_candidates};
 use crate::real::Real;
 use crate::space::Vector;
 
-/// For each point, the others at `r < radius`, strictly, in ascending order.
+/// For each point, the others at `r < radius`, strictly, in an order that does not depend on the search.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pairs {
     starts: Vec<usize>,
@@ -13,23 +13,27 @@ pub struct Pairs {
 
 impl Pairs {
     /// Finds all pairs with any search; periodic images count, under their owner's index.
+    ///
+    /// Points outside a periodic box are taken at their place inside. A point with an infinite or
+    /// undefined coordinate has no neighbours; no point has if the radius is not positive.
     pub fn find<T: Real, const D: usize>(
         search: &mut dyn NeighbourSearch<T, D>,
         points: &[Vector<T, D>],
         radius: T,
         periodic: &Periodic<T, D>,
     ) -> Self {
-        let ghosts = periodic.ghosts(points, radius);
-        let mut all = points.to_vec();
-        all.extend(ghosts.iter().map(|g| points[g.owner as usize] + g.shift));
+        let mut all: Vec<_> = points.iter().map(|&x| periodic.wrap(x)).collect();
+        let ghosts = periodic.ghosts(&all, radius);
+        all.extend(ghosts.iter().map(|g| all[g.owner as usize] + g.shift).collect::<Vec<_>>());
+        let radius2 = if radius > T::ZERO { radius * radius } else { T::ZERO };
         search.rebuild(&all, radius);
         let everything = 0..all.len() as u32;
         let (mut raw, mut ranges) = (Vec::new(), Vec::new());
         let (mut starts, mut neighbours) = (vec![0], Vec::new());
-        for (i, x) in points.iter().enumerate() {
+        for (i, x) in all[..points.len()].iter().enumerate() {
             sorted_candidates(search, x, std::slice::from_ref(&everything), &mut raw, &mut ranges);
             for j in ranges.iter().cloned().flatten() {
-                if j as usize != i && (*x - all[j as usize]).norm2() < radius * radius {
+                if j as usize != i && (*x - all[j as usize]).norm2() < radius2 {
                     let owner = (j as usize).checked_sub(points.len()).map_or(j, |g| ghosts[g].owner);
                     neighbours.push(owner);
                 }
@@ -39,7 +43,8 @@ impl Pairs {
         Self { starts, neighbours }
     }
 
-    /// The neighbours of point `i`; a point seen through several images appears as often.
+    /// The neighbours of point `i`: first those in the box, ascending, then those seen as periodic
+    /// images, ascending; a point seen through several images appears as often, also to itself.
     pub fn of(&self, i: usize) -> &[u32] {
         &self.neighbours[self.starts[i]..self.starts[i + 1]]
     }

@@ -39,9 +39,13 @@ impl<T: Real, const D: usize> Periodic<T, D> {
     /// Space repeats along axis `k` with period `length[k]` \[m\], from `low[k]` on.
     ///
     /// # Errors
-    /// A period is not positive and finite.
+    /// A period is not positive and finite, or `low` is not finite along its axis.
     pub fn new(low: Vector<T, D>, length: [Option<T>; D]) -> Result<Self, ParameterError> {
-        for period in length.into_iter().flatten() {
+        for (k, period) in length.into_iter().enumerate() {
+            let Some(period) = period else { continue };
+            if !low[k].is_finite() {
+                return Err(ParameterError::new("periodic low", low[k], "a finite place [m]"));
+            }
             if !(period > T::ZERO && period.is_finite()) {
                 return Err(ParameterError::new("periodic length", period, "a positive length [m]"));
             }
@@ -59,12 +63,16 @@ impl<T: Real, const D: usize> Periodic<T, D> {
         &self.length
     }
 
-    /// The place inside the box that is the same as `x`.
+    /// The place inside the box that is the same as `x`: `low ≤ x < low + length`.
     pub fn wrap(&self, mut x: Vector<T, D>) -> Vector<T, D> {
         for k in 0..D {
             if let Some(length) = self.length[k] {
                 let turns = ((x[k] - self.low[k]) / length).floor();
                 x[k] -= turns * length;
+                // Rounding may miss the box by a hair on either side: both are its low end.
+                if x[k] < self.low[k] || x[k] >= self.low[k] + length {
+                    x[k] = self.low[k];
+                }
             }
         }
         x
@@ -82,43 +90,59 @@ impl<T: Real, const D: usize> Periodic<T, D> {
         x
     }
 
-    /// All images within `margin` \[m\] outside the box, by owner, then shift.
+    /// All images within `margin` \[m\] outside the box of `points` inside it, by owner, then shift.
+    ///
+    /// A box narrower than the margin shows several images of each point; a margin that is not
+    /// positive and finite shows none.
     pub fn ghosts(&self, points: &[Vector<T, D>], margin: T) -> Vec<Ghost<T, D>> {
         let mut ghosts = Vec::new();
-        if !self.is_any() {
+        if !(self.is_any() && margin > T::ZERO && margin.is_finite()) {
             return ghosts;
         }
         // Boxes away that an image can come from; more than one only if the box is narrow.
         let reach: [i32; D] = core::array::from_fn(|k| {
-            self.length[k].map_or(0, |length| (margin / length).as_f64().floor() as i32 + 1)
+            self.length[k].map_or(0, |length| ((margin / length).as_f64() as i32).saturating_add(1))
         });
-        for (owner, x) in points.iter().enumerate() {
-            let mut turn: [i32; D] = core::array::from_fn(|k| -reach[k]);
-            'turns: loop {
-                let mut shift = Vector::zero();
-                let mut inside = true;
-                for k in 0..D {
-                    if let Some(length) = self.length[k] {
-                        shift[k] = T::of(f64::from(turn[k])) * length;
-                        let image = x[k] + shift[k];
-                        inside &= image >= self.low[k] - margin && image < self.low[k] + length + margin;
-                    }
-                }
-                if inside && turn.iter().any(|&t| t != 0) {
+        for (owner, x) in points.iter().enumerate().filter(|(_, x)| x.is_finite()) {
+            let mut turn = reach.map(|turns| -turns);
+            loop {
+                if turn.iter().any(|&t| t != 0)
+                    && let Some(shift) = self.shift(x, &turn, margin)
+                {
                     ghosts.push(Ghost { owner: owner as u32, shift });
                 }
-                for k in 0..=D {
-                    if k == D {
-                        break 'turns;
-                    }
-                    turn[k] += 1;
-                    if turn[k] <= reach[k] {
-                        break;
-                    }
-                    turn[k] = -reach[k];
+                if !advance(&mut turn, &reach) {
+                    break;
                 }
             }
         }
         ghosts
     }
+
+    /// From `x` to its image `turn` boxes away, if that is within `margin` of the box.
+    fn shift(&self, x: &Vector<T, D>, turn: &[i32; D], margin: T) -> Option<Vector<T, D>> {
+        let mut shift = Vector::zero();
+        for k in 0..D {
+            if let Some(length) = self.length[k] {
+                shift[k] = T::of(f64::from(turn[k])) * length;
+                let image = x[k] + shift[k];
+                if image < self.low[k] - margin || image > self.low[k] + length + margin {
+                    return None;
+                }
+            }
+        }
+        Some(shift)
+    }
+}
+
+/// The next of all turns in `-reach..=reach`, the first axis fastest; false after the last.
+fn advance<const D: usize>(turn: &mut [i32; D], reach: &[i32; D]) -> bool {
+    for k in 0..D {
+        turn[k] += 1;
+        if turn[k] <= reach[k] {
+            return true;
+        }
+        turn[k] = -reach[k];
+    }
+    false
 }

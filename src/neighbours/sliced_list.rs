@@ -37,6 +37,7 @@ impl<T: Real, const D: usize> Default for SlicedList<T, D> {
 impl<T: Real, const D: usize> SlicedList<T, D> {
     /// Lists, for each of the first `particles` points, the other points at `r < radius`; particle
     /// `i` sees those in `allowed(i)`. The dummy index is `points.len()`.
+    #[expect(clippy::too_many_arguments, reason = "one caller, and nothing in it belongs together")]
     pub(crate) fn build(
         &mut self,
         search: &dyn NeighbourSearch<T, D>,
@@ -90,7 +91,7 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
     /// The rows of slice `s`, `SLICE` indices each, every one at most `others()`.
     #[inline(always)]
     pub(crate) fn rows(&self, s: usize) -> &[u32] {
-        const { assert!(PART % 16 == 0) };
+        const { assert!(PART.is_multiple_of(T::SLICE)) };
         let per_part = PART / T::SLICE;
         let part = &self.parts[s / per_part];
         let slice = s % per_part;
@@ -131,23 +132,48 @@ impl<T: Real, const D: usize> Work<T> for Build<'_, T, D> {
     type Out = ();
     #[inline(always)]
     fn run<L: Lanes<Scalar = T>>(self) {
-        let (mut raw, mut ranges, mut column) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut candidates, mut column) = (Candidates::default(), Vec::new());
+        let mut rows = 0;
         self.part.starts.clear();
         self.part.rows.clear();
         for first in self.particles.clone().step_by(T::SLICE) {
-            let begin = self.part.rows.len();
-            self.part.starts.push(begin);
+            // As long as the slice before, which is nearly right.
+            let begin = self.part.open::<T>(rows, self.points.len() as u32);
+            rows = 0;
             for i in first..self.particles.end.min(first + T::SLICE) {
-                let allowed = &self.allowed[usize::from(i >= self.walls)];
-                sorted_candidates(self.search, &self.points[i], allowed, &mut raw, &mut ranges);
+                candidates.find(&self, i);
                 column.clear();
-                for range in &ranges {
+                for range in &candidates.ranges {
                     self.near::<L>(i as u32, range, &mut column);
                 }
                 self.part.put::<T>(begin, i - first, &column, self.points.len() as u32);
+                rows = rows.max(column.len());
             }
+            self.part.rows.truncate(begin + rows * T::SLICE);
         }
         self.part.starts.push(self.part.rows.len());
+    }
+}
+
+/// The candidates of a particle, and of those after it in the same cell.
+#[derive(Default)]
+struct Candidates {
+    cell: Option<usize>,
+    is_wall: bool,
+    raw: Vec<Range<u32>>,
+    ranges: Vec<Range<u32>>,
+}
+
+impl Candidates {
+    #[inline(always)]
+    fn find<T: Real, const D: usize>(&mut self, build: &Build<'_, T, D>, i: usize) {
+        let (place, is_wall) = (&build.points[i], i < build.walls);
+        let cell = build.search.cell(place);
+        if cell.is_none() || cell != self.cell || is_wall != self.is_wall {
+            let allowed = &build.allowed[usize::from(!is_wall)];
+            sorted_candidates(build.search, place, allowed, &mut self.raw, &mut self.ranges);
+            (self.cell, self.is_wall) = (cell, is_wall);
+        }
     }
 }
 
@@ -191,6 +217,15 @@ impl<T: Real, const D: usize> Build<'_, T, D> {
 }
 
 impl Part {
+    /// Begins a slice of empty rows and returns where.
+    #[inline(always)]
+    fn open<T: Real>(&mut self, rows: usize, dummy: u32) -> usize {
+        let begin = self.rows.len();
+        self.starts.push(begin);
+        self.rows.resize(begin + rows * T::SLICE, dummy);
+        begin
+    }
+
     /// Puts a column of neighbours into lane `lane` of the slice that begins at `begin` and is the
     /// last so far.
     #[inline(always)]
@@ -199,8 +234,10 @@ impl Part {
         if self.rows.len() < end {
             self.rows.resize(end, dummy);
         }
-        for (row, &j) in self.rows[begin..].chunks_exact_mut(T::SLICE).zip(column) {
-            row[lane] = j;
+        for (row, j) in self.rows[begin..].chunks_exact_mut(T::SLICE).zip(column) {
+            // SAFETY: a reference may be read. Volatile, because the compiler would otherwise read
+            // several at once, which has to wait for the overlapping writes of `compress`.
+            row[lane] = unsafe { core::ptr::from_ref(j).read_volatile() };
         }
     }
 }

@@ -141,7 +141,7 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
 
     /// The cells of the default search, so that what is sorted here is sorted for it.
     fn grid(&self, points: &[Vector<T, D>]) -> Grid<T, D> {
-        Grid::cover(points, (self.support + self.skin) * (T::ONE + T::of(16.0) * T::EPSILON))
+        Grid::cover(points, self.support + self.skin)
     }
 
     /// Sorts the ghosts of walls, then those of the others, by cell.

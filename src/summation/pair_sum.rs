@@ -1,4 +1,5 @@
 //! The loop over pairs, once for all formulas.
+#![expect(clippy::needless_range_loop, reason = "plain loops keep the instruction set, see `lanes`")]
 
 use crate::lanes::{InstructionSet, Lanes, Work, dispatch};
 use crate::neighbours::SlicedList;
@@ -95,7 +96,7 @@ pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     set: InstructionSet,
     sums: &mut Sums<T>,
 ) {
-    const { assert!(F::BLOCKS <= 4 && F::SUMS <= MOST) };
+    const { assert!(F::BLOCKS <= 4 && F::SUMS <= MOST && T::SLICE <= 16) };
     assert!(records.len() >= (list.others() + 1) * 4 * F::BLOCKS);
     sums.count = F::SUMS;
     let slices = particles.min(list.particles()).div_ceil(T::SLICE);
@@ -105,6 +106,8 @@ pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     });
 }
 
+/// The sums of the slices from `first` on, as many as fit `out`; the list has them all, and `records`
+/// as many records as `pair_sum` asks for.
 struct Task<'a, T, F, const D: usize> {
     formula: &'a F,
     list: &'a SlicedList<T, D>,
@@ -117,35 +120,42 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
     type Out = ();
     #[inline(always)]
     fn run<L: Lanes<Scalar = T>>(self) {
-        let records = self.records.as_ptr();
-        let slices = self.out.len() / (F::SUMS * T::SLICE);
-        for s in 0..slices {
+        for s in 0..self.out.len() / (F::SUMS * T::SLICE) {
             let rows = self.list.rows(self.first + s);
-            for group in 0..T::SLICE / L::WIDTH {
-                let mut own = [0; 16];
-                for lane in 0..L::WIDTH {
-                    let i = (self.first + s) * T::SLICE + group * L::WIDTH + lane;
-                    own[lane] = i.min(self.list.others()) as u32;
-                }
-                let mut sums: [L; MOST] = self.formula.start();
-                // SAFETY: every index of the list and every own index is at most `others()`, and
-                // `pair_sum` has checked that so many records are there.
-                unsafe {
-                    let i = F::read(&L::records(records, own.as_ptr(), F::BLOCKS));
-                    let mut row = rows.as_ptr().add(group * L::WIDTH);
-                    for _ in 0..rows.len() / T::SLICE {
-                        let j = F::read(&L::records(records, row, F::BLOCKS));
-                        self.formula.add_pair(&i, &j, &mut sums);
-                        row = row.wrapping_add(T::SLICE);
-                    }
-                }
+            for lane in (0..T::SLICE).step_by(L::WIDTH) {
+                let sums = self.sum::<L>((self.first + s) * T::SLICE + lane, lane, rows);
                 for k in 0..F::SUMS {
-                    let out = &mut self.out[(s * F::SUMS + k) * T::SLICE + group * L::WIDTH..][..L::WIDTH];
+                    let out = &mut self.out[(s * F::SUMS + k) * T::SLICE + lane..][..L::WIDTH];
                     // SAFETY: `out` holds `WIDTH` numbers.
                     unsafe { sums[k].store(out.as_mut_ptr()) };
                 }
             }
         }
+    }
+}
+
+impl<T: Real, F: PairFormula<T>, const D: usize> Task<'_, T, F, D> {
+    /// The sums of `WIDTH` particles from `first` on, whose columns begin at `lane` of the rows.
+    #[inline(always)]
+    fn sum<L: Lanes<Scalar = T>>(&self, first: usize, lane: usize, rows: &[u32]) -> [L; MOST] {
+        let records = self.records.as_ptr();
+        let mut own = [0; 16];
+        for l in 0..L::WIDTH {
+            // Lanes beyond the last particle add up nothing, whoever they are.
+            own[l] = (first + l).min(self.list.others()) as u32;
+        }
+        let mut sums = self.formula.start();
+        // SAFETY: `own` and, by the invariant of the list, the rows hold indices up to `others()`, and
+        // `pair_sum` has checked that so many records are there. A row has `SLICE` indices, and
+        // `lane + WIDTH` is at most that.
+        unsafe {
+            let i = F::read(&L::records(records, own.as_ptr(), F::BLOCKS));
+            for row in rows.chunks_exact(T::SLICE) {
+                let j = F::read(&L::records(records, row.as_ptr().add(lane), F::BLOCKS));
+                self.formula.add_pair(&i, &j, &mut sums);
+            }
+        }
+        sums
     }
 }
 

@@ -1,1 +1,21 @@
 //! Integration tests, one binary.
+
+#[cfg(feature = "case")]
+mod case;
+mod determinism;
+mod errata;
+mod forensics;
+mod integrators;
+mod kernels;
+mod lane_code;
+mod lattice_sums;
+mod layers;
+mod neighbours;
+mod output;
+mod outside;
+mod register;
+mod restart;
+mod source;
+mod tank;
+mod walls;
+mod water_law;

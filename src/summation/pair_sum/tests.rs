@@ -1,5 +1,6 @@
 //! One formula of the kind the library sums, by brute force in scalars and through the list in all
 //! lanes on one to three threads: the same bits.
+#![expect(clippy::single_range_in_vec_init, reason = "windows of the list are ranges")]
 
 use super::{Aligned, MOST, PairFormula, Sums, pair_sum};
 use crate::kernel::{Kernel, WendlandC2};

@@ -1,0 +1,44 @@
+//! The program `alluvium`: runs cases of water and shows what came out.
+
+mod arguments;
+mod connect;
+mod folder;
+mod interrupt;
+mod manifest;
+mod outcome;
+mod plots;
+mod preflight;
+mod published;
+mod reporter;
+mod reproduce;
+mod run;
+mod solver;
+#[cfg(test)]
+mod stand_in;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use outcome::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let done = match &arguments.command {
+        Command::Reproduce(options) => reproduce::reproduce(options),
+        Command::Run(options) => run::run_file(options),
+        Command::Check(options) => preflight::check_file(&options.case),
+        Command::List => {
+            reproduce::list();
+            Ok(())
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            if !matches!(failure, Failure::Interrupted) {
+                eprintln!("{failure}");
+            }
+            ExitCode::from(failure.code())
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! How a command can fail, and the exit code of each way.
+
+use alluvium::case::CaseError;
+use core::fmt;
+use std::io;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug)]
+pub enum Failure {
+    /// A file could not be read or written.
+    File(io::Error),
+    /// The command cannot be carried out as given.
+    Usage(String),
+    /// The case cannot be run.
+    Case(CaseError),
+    /// The case is valid, but this build cannot run it.
+    NotInThisBuild(String),
+    /// The numbers went wrong; the message names what, where and when.
+    Numerical(String),
+    /// Ctrl-C; the last state was written.
+    Interrupted,
+}
+
+impl Failure {
+    /// The exit code.
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::File(_) => 1,
+            Self::Usage(_) => 2,
+            Self::Case(_) | Self::NotInThisBuild(_) => 3,
+            Self::Numerical(_) => 4,
+            Self::Interrupted => 130,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File(error) => write!(f, "error: {error}"),
+            Self::Usage(what) | Self::NotInThisBuild(what) => write!(f, "error: {what}"),
+            Self::Case(error) => write!(f, "{error}"),
+            Self::Numerical(what) => write!(f, "error: the run stopped: {what}"),
+            Self::Interrupted => f.write_str("interrupted"),
+        }
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::File(error)
+    }
+}
+
+impl From<CaseError> for Failure {
+    fn from(error: CaseError) -> Self {
+        Self::Case(error)
+    }
+}

@@ -1,0 +1,74 @@
+//! What a case means before it is run: sizes, limits of the step, cost.
+
+use crate::outcome::Failure;
+use crate::run::read_case;
+use alluvium::case::{Case, StepSize};
+use std::path::Path;
+
+/// `alluvium check CASE.toml`.
+pub fn check_file(path: &Path) -> Result<(), Failure> {
+    let (case, warnings) = read_case(path)?;
+    print!("{warnings}");
+    println!("{}", summary(&case));
+    println!("{}: valid", path.display());
+    Ok(())
+}
+
+/// The sizes, limits and cost of a case, one per line.
+pub fn summary(case: &Case) -> String {
+    let (spacing, h, support) = (case.particles.spacing, case.smoothing_length(), case.support());
+    let neighbours = neighbours(case.dimension, support / spacing);
+    let limits = limits(case);
+    let (name, shortest) =
+        limits.iter().copied().fold(("", f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
+    let step = if let StepSize::Fixed(step) = case.time.step { step } else { shortest };
+    let steps = (case.end_time / step).ceil();
+    let work = steps * case.water_particles() as f64;
+    let mut lines = vec![
+        format!(
+            "{} particles of water in {} dimensions, {}",
+            case.water_particles(),
+            case.dimension,
+            case.precision
+        ),
+        format!(
+            "spacing {spacing} m, smoothing length {h:.6} m, {} with support {support:.6} m",
+            case.particles.kernel
+        ),
+        format!("about {neighbours} neighbours inside the water"),
+    ];
+    lines.extend(
+        limits.iter().map(|(name, limit)| format!("step allowed by the {name} limit: {limit:.3e} s")),
+    );
+    let binding = if step == shortest { format!("bound by the {name} limit") } else { "fixed".to_owned() };
+    lines.push(format!("step {step:.3e} s, {binding}: about {steps} steps to {} s", case.end_time));
+    lines.push(format!("about {:.3e} particle-steps, walls not counted", work));
+    lines.join("\n")
+}
+
+/// Estimates of the step each limit allows \[s\].
+fn limits(case: &Case) -> Vec<(&'static str, f64)> {
+    let (h, water) = (case.smoothing_length(), &case.water);
+    let courant = if let StepSize::Courant(courant) = case.time.step { courant } else { 0.2 };
+    let gravity = case.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
+    let mut limits = vec![("acoustic", courant * h / water.sound_speed)];
+    let artificial = water.artificial_viscosity_linear * h * water.sound_speed / 8.0;
+    let viscosity = water.viscosity / water.reference_density + artificial;
+    if viscosity > 0.0 {
+        limits.push(("viscous", 0.125 * h * h / viscosity));
+    }
+    if gravity > 0.0 {
+        limits.push(("force", 0.25 * (h / gravity).sqrt()));
+    }
+    limits
+}
+
+/// Lattice points within a support of `ratio` spacings, without the centre.
+fn neighbours(dimension: usize, ratio: f64) -> usize {
+    let n = ratio.ceil() as i64;
+    let depth = if dimension == 3 { n } else { 0 };
+    let near = |i: i64, j: i64, k: i64| ((i * i + j * j + k * k) as f64) < ratio * ratio * (1.0 - 1e-12);
+    let row = |i, j| (-depth..=depth).filter(|k| near(i, j, *k)).count();
+    let all: usize = (-n..=n).map(|i| (-n..=n).map(|j| row(i, j)).sum::<usize>()).sum();
+    all.saturating_sub(1)
+}

@@ -1,0 +1,266 @@
+//! Running a case: steps, history, gauges, dumps, until the end, a failure or ctrl-C.
+
+use crate::arguments::{OutputOptions, RunOptions};
+use crate::connect;
+use crate::folder::RunFolder;
+use crate::interrupt;
+use crate::manifest::Manifest;
+use crate::outcome::Failure;
+use crate::preflight;
+use crate::reporter::Reporter;
+use crate::solver::{Solver, Step, View};
+use alluvium::case::{Case, Warnings};
+use alluvium::output::{Cell, Pvd, TableWriter};
+use alluvium::parallel::Threads;
+use std::path::{Path, PathBuf};
+
+/// A finished run.
+pub struct Finished {
+    /// Its folder, for what is drawn from it.
+    pub folder: RunFolder,
+    /// The particles at each dump, with the time \[s\].
+    pub views: Vec<(f64, View)>,
+    /// Written again once pictures are in the folder.
+    pub manifest: Manifest,
+}
+
+/// `alluvium run CASE.toml`.
+pub fn run_file(options: &RunOptions) -> Result<(), Failure> {
+    let (case, warnings) = read_case(&options.case)?;
+    run_case(case, &warnings, &options.output, false).map(drop)
+}
+
+/// Reads a case file.
+pub fn read_case(path: &Path) -> Result<(Case, Warnings), Failure> {
+    let unreadable = |error| Failure::Usage(format!("cannot read {}: {error}", path.display()));
+    let text = std::fs::read_to_string(path).map_err(unreadable)?;
+    Ok(Case::parse(&path.display().to_string(), &text)?)
+}
+
+/// Runs a case in its folder; `keep_views` keeps the particles of each dump for pictures.
+pub fn run_case(
+    case: Case,
+    warnings: &Warnings,
+    options: &OutputOptions,
+    keep_views: bool,
+) -> Result<Finished, Failure> {
+    run_with(connect::connect, case, warnings, options, keep_views)
+}
+
+/// The same, by a solver of one's own.
+pub fn run_with(
+    connect: impl FnOnce(&Case) -> Result<Box<dyn Solver + Send>, Failure> + Send,
+    mut case: Case,
+    warnings: &Warnings,
+    options: &OutputOptions,
+    keep_views: bool,
+) -> Result<Finished, Failure> {
+    case.threads = options.threads.unwrap_or(case.threads);
+    let threads = Threads::new(case.threads).map_err(|error| Failure::Usage(error.to_string()))?;
+    threads.install(|| {
+        let mut solver = connect(&case)?;
+        let path = options.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&case.name));
+        let mut folder = RunFolder::create(&path, options.existing)?;
+        folder.write("case.used.toml", &case.to_string())?;
+        let mut manifest = Manifest::new(&case, threads.count());
+        manifest.write(&mut folder)?;
+        interrupt::listen();
+        let mut run = Run::new(&case, folder, keep_views)?;
+        run.introduce(warnings);
+        let ended = run.go(solver.as_mut());
+        run.conclude(&ended, &mut manifest, solver.as_ref())?;
+        ended.map(|()| Finished { folder: run.folder, views: run.views.unwrap_or_default(), manifest })
+    })
+}
+
+struct Run<'a> {
+    case: &'a Case,
+    folder: RunFolder,
+    reporter: Reporter,
+    views: Option<Vec<(f64, View)>>,
+    history: Option<TableWriter>,
+    gauges: Vec<TableWriter>,
+    series: Vec<(&'static str, Pvd)>,
+    dumps: usize,
+}
+
+impl<'a> Run<'a> {
+    fn new(case: &'a Case, mut folder: RunFolder, keep_views: bool) -> Result<Self, Failure> {
+        Ok(Self {
+            case,
+            reporter: Reporter::new(&mut folder)?,
+            folder,
+            views: keep_views.then(Vec::new),
+            history: None,
+            gauges: Vec::new(),
+            series: Vec::new(),
+            dumps: 0,
+        })
+    }
+
+    fn introduce(&mut self, warnings: &Warnings) {
+        let shown = warnings.to_string();
+        if !shown.is_empty() {
+            self.reporter.say(shown.trim_end());
+        }
+        let folder = self.folder.path().display().to_string();
+        self.reporter.say(&format!("{} in {folder}", self.case.name));
+        self.reporter.note(&preflight::summary(self.case));
+    }
+
+    /// Steps from output to output.
+    fn go(&mut self, solver: &mut dyn Solver) -> Result<(), Failure> {
+        let end = self.case.end_time;
+        let mut dumps = self.case.dump_times().into_iter().peekable();
+        let mut step = Step { length: 0.0, limit: "none" };
+        let mut records = Records::new(self.case.output.history_interval);
+        loop {
+            let time = solver.time();
+            if records.is_due(time) || time >= end {
+                self.record(solver, step)?;
+            }
+            if dumps.next_if(|due| time >= *due).is_some() {
+                self.dump(solver, step)?;
+            }
+            if time >= end {
+                return Ok(());
+            }
+            if interrupt::asked() {
+                self.dump(solver, step)?;
+                return Err(Failure::Interrupted);
+            }
+            let until = dumps.peek().map_or(end, |due| due.min(end));
+            step = match solver.step(until) {
+                Ok(step) => step,
+                Err(stopped) => {
+                    self.record(solver, step)?;
+                    self.dump(solver, step)?;
+                    return Err(Failure::Numerical(stopped.0));
+                }
+            };
+            self.reporter.progress(solver.time() / end, || {
+                format!("t = {:.4} s, Δt = {:.2e} s ({})", solver.time(), step.length, step.limit)
+            });
+        }
+    }
+
+    /// A row of the history and of each gauge.
+    fn record(&mut self, solver: &mut dyn Solver, step: Step) -> Result<(), Failure> {
+        let time = solver.time();
+        let quantities = solver.quantities();
+        if self.history.is_none() {
+            let own = ["time [s]", "steps", "time_step [s]", "limit", "wall_clock [s]"];
+            let columns: Vec<&str> =
+                own.into_iter().chain(quantities.iter().map(|(name, _)| *name)).collect();
+            self.history = Some(TableWriter::create(self.folder.file("history.csv")?, &columns)?);
+        }
+        let wall = (self.reporter.elapsed() * 1e3).round() / 1e3;
+        let own: [Cell<'_>; 5] =
+            [time.into(), solver.steps().into(), step.length.into(), step.limit.into(), wall.into()];
+        let row: Vec<Cell<'_>> = own.into_iter().chain(quantities.iter().map(|(_, x)| (*x).into())).collect();
+        if let Some(history) = &mut self.history {
+            history.row(&row)?;
+        }
+        self.record_gauges(solver, time)
+    }
+
+    fn record_gauges(&mut self, solver: &mut dyn Solver, time: f64) -> Result<(), Failure> {
+        for (n, gauge) in self.case.gauges.iter().enumerate() {
+            let values = solver.gauge(gauge);
+            if self.gauges.len() <= n {
+                let file = self.folder.file(&format!("gauges/{}.csv", gauge.name))?;
+                let columns: Vec<&str> =
+                    ["time [s]"].into_iter().chain(values.iter().map(|(name, _)| *name)).collect();
+                self.gauges.push(TableWriter::create(file, &columns)?);
+            }
+            let row: Vec<Cell<'_>> =
+                [time].into_iter().chain(values.iter().map(|(_, x)| *x)).map(Cell::from).collect();
+            self.gauges[n].row(&row)?;
+        }
+        Ok(())
+    }
+
+    /// One file per phase, the collections, and a row of the log.
+    fn dump(&mut self, solver: &mut dyn Solver, step: Step) -> Result<(), Failure> {
+        let time = solver.time();
+        for (n, (phase, particles)) in solver.files(&self.case.output.fields).into_iter().enumerate() {
+            let name = format!("{phase}_{:04}.vtp", self.dumps);
+            particles.write(&self.folder.file(&format!("data/{name}"))?)?;
+            if self.series.len() <= n {
+                let collection = self.folder.file(&format!("data/{phase}.pvd"))?;
+                self.series.push((phase, Pvd::new(collection)));
+            }
+            self.series[n].1.add(time, name)?;
+        }
+        if let Some(views) = &mut self.views {
+            views.push((time, solver.view()));
+        }
+        let row = self.log_row(solver, step);
+        self.reporter.say(&row);
+        self.dumps += 1;
+        Ok(())
+    }
+
+    fn log_row(&self, solver: &dyn Solver, step: Step) -> String {
+        let (time, steps, part) = (solver.time(), solver.steps(), solver.time() / self.case.end_time);
+        let (water, walls) = solver.particles();
+        let wall = self.reporter.elapsed();
+        let speed = (water + walls) as f64 * steps as f64 / wall.max(1e-9) / 1e6;
+        format!(
+            "dump {:04}  t = {time:.5} s  step {steps}  Δt = {:.3e} s ({})  {water} water + {walls} wall \
+             particles  {speed:.1} M particle-steps/s  left {}",
+            self.dumps,
+            step.length,
+            step.limit,
+            self.reporter.left(part)
+        )
+    }
+
+    /// The last line of the log and the manifest.
+    fn conclude(
+        &mut self,
+        ended: &Result<(), Failure>,
+        manifest: &mut Manifest,
+        solver: &dyn Solver,
+    ) -> Result<(), Failure> {
+        self.reporter.end();
+        let (time, steps) = (solver.time(), solver.steps());
+        let outcome = match ended {
+            Ok(()) => "done".to_owned(),
+            Err(failure) => failure.to_string(),
+        };
+        let wall = self.reporter.elapsed();
+        let line = format!("{outcome}: t = {time:.5} s after {steps} steps and {wall:.1} s");
+        match ended {
+            Err(Failure::Numerical(_)) => self.reporter.note(&line),
+            _ => self.reporter.say(&line),
+        }
+        manifest.end(outcome, steps);
+        manifest.write(&mut self.folder)
+    }
+}
+
+/// When the next row of the history is due: at the first step on or after each multiple of the interval.
+struct Records {
+    interval: f64,
+    next: f64,
+}
+
+impl Records {
+    fn new(interval: f64) -> Self {
+        Self { interval, next: 0.0 }
+    }
+
+    fn is_due(&mut self, time: f64) -> bool {
+        if time < self.next {
+            return false;
+        }
+        if self.interval > 0.0 {
+            self.next = ((time / self.interval * (1.0 + 1e-12)).floor() + 1.0) * self.interval;
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests;

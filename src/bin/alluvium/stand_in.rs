@@ -1,0 +1,97 @@
+//! A solver that simulates nothing, to test what is around it: a column whose front moves as a parabola.
+
+use crate::outcome::Failure;
+use crate::solver::{Solver, Step, Stopped, View, quantity};
+use alluvium::Vector;
+use alluvium::case::{Case, Field, Gauge, Warnings};
+use alluvium::output::Vtp;
+use std::path::PathBuf;
+
+/// A small case with three dumps and a gauge.
+pub fn case() -> (Case, Warnings) {
+    let text = r#"
+        name = "stand-in"
+        end_time_s = 0.25
+        particles.spacing_m = 0.01
+        output = { dump_times_s = [0.0, 0.1, 0.25], history_interval_s = 0.01 }
+        [[water.block]]
+        low_m = [0.0, 0.0]
+        high_m = [0.1, 0.2]
+        [[gauge]]
+        name = "toe"
+        position_m = [0.1, 0.0]
+    "#;
+    Case::parse("stand-in.toml", text).map_err(Failure::from).unwrap()
+}
+
+/// A path that does not exist yet.
+pub fn folder(name: &str) -> PathBuf {
+    let path = std::env::temp_dir().join(format!("alluvium-{name}-{}", std::process::id()));
+    std::fs::remove_dir_all(&path).ok();
+    path
+}
+
+pub struct StandIn {
+    time: f64,
+    steps: u64,
+    fails_at: f64,
+}
+
+impl StandIn {
+    pub fn new(fails_at: f64) -> Self {
+        Self { time: 0.0, steps: 0, fails_at }
+    }
+
+    fn front(&self) -> f64 {
+        0.1 * (1.0 + 72.0 * self.time * self.time)
+    }
+}
+
+impl Solver for StandIn {
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn particles(&self) -> (usize, usize) {
+        (10, 0)
+    }
+
+    fn step(&mut self, until: f64) -> Result<Step, Stopped> {
+        let is_cut = self.time + 0.003 >= until;
+        let next = if is_cut { until } else { self.time + 0.003 };
+        let step = Step { length: next - self.time, limit: if is_cut { "output" } else { "acoustic" } };
+        (self.time, self.steps) = (next, self.steps + 1);
+        if next >= self.fails_at {
+            Err(Stopped(format!("particle 7 is not finite at {next} s")))
+        } else {
+            Ok(step)
+        }
+    }
+
+    fn quantities(&mut self) -> Vec<(&'static str, f64)> {
+        let lost = 1.0 - 0.5 * self.time;
+        vec![
+            (quantity::FRONT, self.front()),
+            (quantity::KINETIC, 1.0 - lost),
+            (quantity::POTENTIAL, lost),
+            (quantity::COMPRESSIVE, 0.0),
+            ("dissipated_by_artificial_viscosity [J]", 0.1 * self.time),
+        ]
+    }
+
+    fn files(&mut self, _: &[Field]) -> Vec<(&'static str, Vtp)> {
+        vec![("water", Vtp::new(self.time, &[Vector([self.front(), 0.0])]))]
+    }
+
+    fn gauge(&mut self, _: &Gauge) -> Vec<(&'static str, f64)> {
+        vec![("pressure [Pa]", self.time)]
+    }
+
+    fn view(&mut self) -> View {
+        View { water: vec![([self.front(), 0.0, 0.0], 500.0)], walls: vec![[0.0, -0.01, 0.0]] }
+    }
+}
