@@ -91,7 +91,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let viscosity =
             self.water.material().kinematic_viscosity() * self.water.material().reference_density();
         let strength = T::of(2.0) * self.strain_control * viscosity;
-        if !(strength > T::ZERO) {
+        if strength <= T::ZERO {
             return;
         }
         self.extrapolate_gradient();
