@@ -137,6 +137,11 @@ fn extent(reader: &Reader<'_>, case: &Case, tank: &Tank) {
             reader.error(&path, "is not above low_m", format!("a number above {:?} [m]", tank.low[k]));
         } else if case.periodic.iter().any(|a| *a as usize == k) {
             period(reader, case, &path, extent);
+        } else if (extent / case.particles.spacing - (extent / case.particles.spacing).round()).abs() > 1e-3 {
+            let spacing = case.particles.spacing;
+            let near = tank.low[k] + (extent / spacing).round() * spacing;
+            let why = "does not hold a whole number of particles: the wall will stand at the nearest";
+            reader.warning(&path, why, format!("{near:.6} [m] would, at a spacing of {spacing:?} m"));
         }
     }
 }

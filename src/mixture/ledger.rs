@@ -7,6 +7,7 @@ use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel;
 use crate::real::Real;
+use crate::space::Vector;
 use crate::time::Moment;
 use core::ops::Range;
 
@@ -36,7 +37,7 @@ impl<const D: usize> Default for Terms<D> {
 
 impl<const D: usize> Terms<D> {
     fn booked(&self) -> Exchange<D> {
-        let mut booked = Exchange { impulse: self.impulse, ..Exchange::default() };
+        let mut booked = Exchange { impulse: Vector(self.impulse), ..Exchange::default() };
         booked.taken[Account::ArtificialViscosity] = self.artificial_viscosity;
         booked.taken[Account::DensityDiffusion] = self.density_diffusion;
         booked.taken[Account::WallWork] = self.wall_work;

@@ -151,8 +151,8 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self.points[count..].copy_from_slice(&sorted);
     }
 
-    /// Writes the records of all particles, ghosts and the dummy as formula `F` reads them: the position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has
-    /// `dummy`, and zeros behind it. The dummy stands where kernels vanish; choose its fields so that
+    /// Writes the records of all particles, ghosts and the dummy as formula `F` reads them: the
+    /// position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has `dummy`, and zeros behind it. The dummy stands where kernels vanish; choose its fields so that
     /// the formula stays finite there (mass zero, density one).
     ///
     /// # Panics

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "case")]
 mod case;
+#[cfg(feature = "case")]
+mod case_build;
 mod determinism;
 mod errata;
 mod forensics;
@@ -13,6 +15,8 @@ mod layers;
 mod neighbours;
 mod output;
 mod outside;
+#[cfg(feature = "cli")]
+mod program;
 mod register;
 mod restart;
 mod source;

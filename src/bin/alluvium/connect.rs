@@ -1,13 +1,13 @@
 //! From a case to a simulation of it: the one place where precision, dimension, kernel and integrator
-//! become types. Each combination is compiled on its own, so the program offers three of the library's
-//! kernels.
+//! become types. Each combination is compiled on its own, which takes its time: the program offers two of
+//! the library's kernels.
 
 use crate::outcome::Failure;
 use crate::simulated::Simulated;
 use crate::solver::Solver;
 use alluvium::Real;
 use alluvium::case::{BuildError, Case, IntegratorChoice, KernelChoice, Precision};
-use alluvium::kernel::{Kernel, QuinticSpline, WendlandC2, WendlandC4};
+use alluvium::kernel::{Kernel, WendlandC2, WendlandC4};
 use alluvium::output::Component;
 use alluvium::time::{Integrator, LeapFrog, VelocityVerlet};
 
@@ -23,18 +23,27 @@ pub fn connect(case: &Case) -> Connected {
     }
 }
 
+/// Whether this build can simulate a case.
+pub fn offers(case: &Case) -> Result<(), Failure> {
+    match case.particles.kernel {
+        KernelChoice::WendlandC2 | KernelChoice::WendlandC4 => Ok(()),
+        other => Err(not_offered(other)),
+    }
+}
+
+fn not_offered(kernel: KernelChoice) -> Failure {
+    Failure::NotInThisBuild(format!(
+        "particles.kernel = \"{kernel}\": the program offers \"wendland-c2\" and \"wendland-c4\", the \
+         others are the library's alone"
+    ))
+}
+
 fn kernel<T: Real + Component, const D: usize>(case: &Case) -> Connected {
     let h = T::of(case.smoothing_length());
     match case.particles.kernel {
         KernelChoice::WendlandC2 => integrator::<T, D, _>(case, WendlandC2::new(h).map_err(refused)?),
         KernelChoice::WendlandC4 => integrator::<T, D, _>(case, WendlandC4::new(h).map_err(refused)?),
-        KernelChoice::QuinticSpline => integrator::<T, D, _>(case, QuinticSpline::new(h).map_err(refused)?),
-        other @ (KernelChoice::WendlandC6 | KernelChoice::CubicSpline) => {
-            let offered = "\"wendland-c2\", \"wendland-c4\", \"quintic-spline\"";
-            Err(Failure::NotInThisBuild(format!(
-                "the program does not offer the kernel \"{other}\", only the library does; it has {offered}"
-            )))
-        }
+        other => Err(not_offered(other)),
     }
 }
 

@@ -3,6 +3,7 @@
 mod arguments;
 mod connect;
 mod folder;
+mod gallery;
 mod interrupt;
 mod manifest;
 mod outcome;

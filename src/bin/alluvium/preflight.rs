@@ -1,5 +1,6 @@
 //! What a case means before it is run: sizes, limits of the step, cost.
 
+use crate::connect;
 use crate::outcome::Failure;
 use crate::run::read_case;
 use alluvium::case::{Case, StepSize};
@@ -9,6 +10,7 @@ use std::path::Path;
 pub fn check_file(path: &Path) -> Result<(), Failure> {
     let (case, warnings) = read_case(path)?;
     print!("{warnings}");
+    connect::offers(&case)?;
     println!("{}", summary(&case));
     println!("{}: valid", path.display());
     Ok(())
@@ -52,12 +54,11 @@ fn limits(case: &Case) -> Vec<(&'static str, f64)> {
     let courant = if let StepSize::Courant(courant) = case.time.step { courant } else { 0.2 };
     let gravity = case.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
     let mut limits = vec![("acoustic", courant * h / water.sound_speed)];
-    let artificial = water.artificial_viscosity_linear * h * water.sound_speed / 8.0;
-    let viscosity = water.viscosity / water.reference_density + artificial;
-    if viscosity > 0.0 {
-        limits.push(("viscous", 0.125 * h * h / viscosity));
+    if water.viscosity > 0.0 {
+        limits.push(("viscous", 0.125 * h * h * water.reference_density / water.viscosity));
     }
     if gravity > 0.0 {
+        // Of gravity alone: a splash is accelerated more.
         limits.push(("force", 0.25 * (h / gravity).sqrt()));
     }
     limits

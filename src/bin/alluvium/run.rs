@@ -3,6 +3,7 @@
 use crate::arguments::{OutputOptions, RunOptions};
 use crate::connect;
 use crate::folder::RunFolder;
+use crate::gallery::Gallery;
 use crate::interrupt;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
@@ -34,7 +35,14 @@ pub type Onlooker<'a> = dyn FnMut(f64, &mut dyn Solver) + Send + 'a;
 /// `alluvium run CASE.toml`.
 pub fn run_file(options: &RunOptions) -> Result<(), Failure> {
     let (case, warnings) = read_case(&options.case)?;
-    run_case(case, &warnings, &options.output, &mut |_, _| {}).map(drop)
+    let mut gallery = Gallery::new(&case);
+    let mut look = |time: f64, solver: &mut dyn Solver| gallery.look(time, solver);
+    let Finished { mut folder, manifest, .. } =
+        run_case(case.clone(), &warnings, &options.output, &mut look)?;
+    if let Some(picture) = gallery.svg() {
+        folder.write("pictures/particles.svg", &picture)?;
+    }
+    manifest.write(&mut folder)
 }
 
 /// Reads a case file.

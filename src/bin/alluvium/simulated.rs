@@ -1,6 +1,6 @@
 //! A simulation of the library as the program sees it.
 
-use crate::solver::{DamBreak, Solver, Step, Stopped, View, quantity};
+use crate::solver::{DamBreak, Seen, Solver, Step, Stopped, View, quantity};
 use alluvium::budget::{Account, Budget};
 use alluvium::case::{Case, Field, Gauge, Quantity, Side};
 use alluvium::kernel::Kernel;
@@ -177,8 +177,13 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
             let x = water.positions()[i].as_f64();
             core::array::from_fn(|k| if k < D { x[k] } else { 0.0 })
         };
+        let seen = |i: usize| Seen {
+            place: place(i),
+            pressure: water.pressures()[i].as_f64(),
+            speed: water.velocities()[i].norm().as_f64(),
+        };
         View {
-            water: self.inner().map(|i| (place(i), water.pressures()[i].as_f64())).collect(),
+            water: self.inner().map(seen).collect(),
             walls: (0..water.wall_particles()).map(place).collect(),
         }
     }

@@ -17,11 +17,22 @@ pub struct Step {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stopped(pub String);
 
+/// A water particle of a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// Where it is \[m\].
+    pub place: [f64; 3],
+    /// Its pressure \[Pa\].
+    pub pressure: f64,
+    /// Its speed \[m/s\].
+    pub speed: f64,
+}
+
 /// Particles for a picture.
 #[derive(Clone, Debug, Default)]
 pub struct View {
-    /// Where water particles are \[m\], and their pressure \[Pa\].
-    pub water: Vec<([f64; 3], f64)>,
+    /// The water.
+    pub water: Vec<Seen>,
     /// Where wall particles are \[m\].
     pub walls: Vec<[f64; 3]>,
 }

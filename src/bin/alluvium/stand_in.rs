@@ -1,7 +1,7 @@
 //! A solver that simulates nothing, to test what is around it: a column whose front moves as a parabola.
 
 use crate::outcome::Failure;
-use crate::solver::{DamBreak, Solver, Step, Stopped, View, quantity};
+use crate::solver::{DamBreak, Seen, Solver, Step, Stopped, View, quantity};
 use alluvium::Vector;
 use alluvium::case::{Case, Field, Gauge, Warnings};
 use alluvium::output::Vtp;
@@ -95,7 +95,8 @@ impl Solver for StandIn {
     }
 
     fn view(&mut self) -> View {
-        View { water: vec![([self.front(), 0.0, 0.0], 500.0)], walls: vec![[0.0, -0.01, 0.0]] }
+        let seen = Seen { place: [self.front(), 0.0, 0.0], pressure: 500.0, speed: 1.0 };
+        View { water: vec![seen], walls: vec![[0.0, -0.01, 0.0]] }
     }
 
     fn dam_break(&self, _: &Reference) -> DamBreak {

@@ -17,8 +17,8 @@ const BAR: f64 = 96.0;
 pub struct Panel {
     /// What is written above it.
     pub caption: String,
-    /// Where particles are, and their quantity.
-    pub particles: Vec<([f64; 2], f64)>,
+    /// Where particles are, and their quantity: each layer is drawn over those before.
+    pub layers: Vec<Vec<([f64; 2], f64)>>,
     /// Where wall particles are.
     pub walls: Vec<[f64; 2]>,
 }
@@ -95,7 +95,6 @@ impl ParticlePicture<'_> {
 
     /// One path of round dots per shade, in tenths of a pixel.
     fn dots(&self, canvas: &mut Canvas, panel: &Panel, x: Scale, y: Scale) {
-        let mut paths = vec![String::new(); SHADES];
         let mut walls = String::new();
         let put = |path: &mut String, p: [f64; 2]| {
             if x.contains(p[0]) && y.contains(p[1]) {
@@ -103,10 +102,14 @@ impl ParticlePicture<'_> {
             }
         };
         let (low, high) = self.range;
-        for (place, value) in &panel.particles {
-            let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
-            put(&mut paths[((part * SHADES as f64) as usize).min(SHADES - 1)], *place);
-        }
+        let shaded = |layer: &Vec<([f64; 2], f64)>| {
+            let mut paths = vec![String::new(); SHADES];
+            for (place, value) in layer {
+                let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
+                put(&mut paths[((part * SHADES as f64) as usize).min(SHADES - 1)], *place);
+            }
+            paths
+        };
         panel.walls.iter().for_each(|place| put(&mut walls, *place));
         let diameter = 10.0 * (x.place(self.spacing) - x.place(0.0));
         canvas.raw("<g transform=\"scale(0.1)\" fill=\"none\" stroke-linecap=\"round\">");
@@ -116,8 +119,10 @@ impl ParticlePicture<'_> {
             }
         };
         draw(&walls, "#b4b4b4", 0.8 * diameter);
-        for (n, path) in paths.iter().enumerate() {
-            draw(path, &viridis((n as f64 + 0.5) / SHADES as f64), 1.35 * diameter);
+        for paths in panel.layers.iter().map(shaded) {
+            for (n, path) in paths.iter().enumerate() {
+                draw(path, &viridis((n as f64 + 0.5) / SHADES as f64), 1.35 * diameter);
+            }
         }
         canvas.raw("</g>");
     }

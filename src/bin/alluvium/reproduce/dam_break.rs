@@ -72,8 +72,8 @@ fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Fai
     manifest.write(&mut folder)
 }
 
-/// The case as a file: the paper's sizes, Table 1. The tank's walls are twice as high as the column, to
-/// keep what splashes up the far side; the paper's end where the column does.
+/// The case as a file: the paper's sizes, Table 1. The tank's walls are five times as high as the column,
+/// to keep all that shoots up the far side; the paper's end where the column does.
 pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, dumps: &str) -> String {
     let preset = match options.preset {
         PresetName::Default => Preset::Default,
@@ -97,14 +97,15 @@ pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, du
          [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{TANK:?}, {:?}]\nopen = [\"+y\"]\n\
          [time]\n{time}\n\
          [output]\ndump_times_s = [{dumps}]\nhistory_interval_s = 5.0e-4\n",
-        2.0 * HEIGHT
+        5.0 * HEIGHT
     )
 }
 
 /// What the history and the published data say.
 pub(super) struct Results {
     time: Vec<f64>,
-    step: Vec<f64>,
+    /// Times and steps \[s\], those cut short by an instant of output left out.
+    steps: Vec<(f64, f64)>,
     front: Curve,
     /// Names and energies, stored first, then what terms took.
     energies: Vec<(String, Vec<f64>)>,
@@ -124,8 +125,11 @@ impl Results {
         let energies = energies.map(|name| Ok((pictures::readable(&name), history.column(&name)?)));
         let whole = history.column(quantity::POTENTIAL)?.first().copied().unwrap_or(1.0);
         let closure = history.column(quantity::CLOSURE)?.into_iter().map(|x| x / whole).collect();
+        let limits = history.text("limit")?;
+        let steps = time.iter().copied().zip(history.column("time_step [s]")?).zip(limits);
+        let steps = steps.filter(|(_, limit)| !["none", "end"].contains(limit)).map(|(step, _)| step);
         Ok(Self {
-            step: history.column("time_step [s]")?,
+            steps: steps.collect(),
             front: Curve::new(front),
             energies: energies.collect::<Result<_, _>>()?,
             closure,

@@ -1,0 +1,97 @@
+//! Pictures of any run: the water at a few instants, by pressure in two dimensions, seen from the front
+//! and above by speed in three.
+
+use crate::plots::{Panel, ParticlePicture};
+use crate::solver::{Seen, Solver, View};
+use alluvium::case::Case;
+
+/// Parts of the run after which there is a picture.
+const PARTS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+/// More particles than this make a picture too large to open.
+const MOST: usize = 150_000;
+/// How far one metre along z, towards the viewer, is moved to the left and down.
+const OBLIQUE: [f64; 2] = [0.4, 0.3];
+
+/// Keeps what a few pictures need.
+pub struct Gallery<'a> {
+    case: &'a Case,
+    views: Vec<(f64, View)>,
+}
+
+impl<'a> Gallery<'a> {
+    /// Empty.
+    pub fn new(case: &'a Case) -> Self {
+        Self { case, views: Vec::new() }
+    }
+
+    /// Looks on at a dump: keeps the first after each part of the run.
+    pub fn look(&mut self, time: f64, solver: &mut dyn Solver) {
+        let due = PARTS.get(self.views.len()).map(|part| part * self.case.end_time * (1.0 - 1e-9));
+        if due.is_some_and(|due| time >= due) && solver.particles().0 <= MOST {
+            self.views.push((time, solver.view()));
+        }
+    }
+
+    /// The picture, if there is anything to draw.
+    pub fn svg(&self) -> Option<String> {
+        let flat = self.case.dimension == 2;
+        let of = |seen: &Seen| if flat { seen.pressure * 1e-3 } else { seen.speed };
+        let mut values: Vec<f64> =
+            self.views.iter().flat_map(|(_, view)| view.water.iter().map(of)).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        // A few extremes must not take all the colours.
+        let top = values.get(values.len().checked_sub(1)? * 99 / 100)?;
+        let picture = ParticlePicture {
+            quantity: if flat { "pressure [kPa]" } else { "speed [m/s]" },
+            range: (0.0, top.max(1e-9)),
+            window: self.window(),
+            spacing: self.case.particles.spacing,
+            axes: ["x [m]", "y [m]"],
+            columns: 2,
+        };
+        let panel = |(time, view): &(f64, View)| Panel {
+            caption: format!("t = {time:.3} s"),
+            layers: if flat { vec![layer(view.water.iter(), of)] } else { self.layers(view, of) },
+            walls: if flat { view.walls.iter().map(|x| [x[0], x[1]]).collect() } else { Vec::new() },
+        };
+        Some(picture.svg(&self.views.iter().map(panel).collect::<Vec<_>>()))
+    }
+
+    /// Slices of one spacing across z, the farthest first.
+    fn layers(&self, view: &View, of: impl Fn(&Seen) -> f64 + Copy) -> Vec<Vec<([f64; 2], f64)>> {
+        let slice = |seen: &&Seen| (seen.place[2] / self.case.particles.spacing).floor() as i64;
+        let mut far_to_near: Vec<&Seen> = view.water.iter().collect();
+        far_to_near.sort_by_key(slice);
+        far_to_near
+            .chunk_by(|a, b| slice(a) == slice(b))
+            .map(|slice| layer(slice.iter().copied(), of))
+            .collect()
+    }
+
+    /// What is shown: the tank, or the blocks with room around them.
+    fn window(&self) -> ([f64; 2], [f64; 2]) {
+        let case = self.case;
+        let blocks = || case.water.blocks.iter();
+        let (low, high): (Vec<f64>, Vec<f64>) = (0..case.dimension)
+            .map(|k| match &case.tank {
+                Some(tank) => (tank.low[k], tank.high[k]),
+                None => {
+                    let low = blocks().map(|block| block.low[k]).fold(f64::INFINITY, f64::min);
+                    let high = blocks().map(|block| block.high[k]).fold(f64::NEG_INFINITY, f64::max);
+                    (low - 0.5 * (high - low), high + 0.5 * (high - low))
+                }
+            })
+            .unzip();
+        let room = 5.0 * case.particles.spacing;
+        let depth = |z: &[f64], k: usize| z.get(2).map_or(0.0, |z| OBLIQUE[k] * z);
+        (
+            core::array::from_fn(|k| low[k] - depth(&high, k) - room),
+            core::array::from_fn(|k| high[k] - depth(&low, k) + room),
+        )
+    }
+}
+
+fn layer<'s>(seen: impl Iterator<Item = &'s Seen>, of: impl Fn(&Seen) -> f64) -> Vec<([f64; 2], f64)> {
+    seen.map(|seen| (core::array::from_fn(|k| seen.place[k] - OBLIQUE[k] * seen.place[2]), of(seen)))
+        .collect()
+}
