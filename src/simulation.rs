@@ -80,7 +80,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
     /// One step, as long as the limits allow.
     ///
     /// # Errors
-    /// The state or its rates are unusable; the mixture is left as it was found, for a look.
+    /// The state or its rates are unusable; the mixture stays as far as the step got, for a look.
     pub fn step(&mut self) -> Result<Step, StepError> {
         self.step_at_most(f64::INFINITY)
     }

@@ -16,6 +16,7 @@ mod reinitialisation;
 mod renormalised;
 mod state;
 mod strain_control;
+mod stress;
 mod velocity_gradient;
 mod wall;
 mod wall_friction;

@@ -1,6 +1,9 @@
 //! What viscous stress between fluid and an extrapolated wall takes beyond the fluid's own `Vφτ:∇v`.
 
+use super::Mixture;
+use crate::budget::Account;
 use crate::kernel::Kernel;
+use crate::material::Material;
 use crate::real::{Num, Real};
 use crate::space::{SymTensor, Vector};
 use crate::summation::{MOST, PairFormula, Record, number, vector};
@@ -82,5 +85,29 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for WallFriction<K
         for a in 0..D {
             sums[0] += mass_slope * (j.stress[a].dot(x) * lag.0[a] + i.stress[a].dot(x) * slip.0[a]);
         }
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+    /// Adds to the loss by viscosity what it takes between fluid and extrapolated walls.
+    pub(super) fn book_wall_friction(&mut self) {
+        let formula = WallFriction::<K, D> { kernel: self.kernel.clone() };
+        let (water, shown) = (&self.water, &self.scratch.wall_velocity);
+        self.neighbourhood.pack::<WallFriction<K, D>>(
+            &water.position,
+            &mut self.scratch.records,
+            &[T::ZERO; 13][..record_length(D) - D],
+            &|i, record: &mut [T]| {
+                let (v, density) = (&water.now.velocity[i], water.density(i));
+                let pull = water.volume_fraction[i] / (density * density);
+                let velocities = [v, shown.get(i).unwrap_or(v)];
+                write(record, velocities, water.mass[i], pull, &water.deviator[i]);
+            },
+        );
+        let walls = water.wall_particles();
+        self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
+        let friction = |i: usize| (water.mass[i] * self.scratch.extra.get(i, 0)).as_f64();
+        let extrapolated = (0..walls).filter(|&i| !water.is_evolving(i));
+        self.exchange_rate.taken[Account::Viscosity] += extrapolated.map(friction).sum::<f64>();
     }
 }
