@@ -7,6 +7,7 @@ mod continuity;
 mod evaluation;
 mod evolve;
 mod extrapolation;
+mod filling;
 mod ledger;
 mod momentum;
 mod own_pairs;

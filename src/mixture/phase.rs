@@ -1,7 +1,6 @@
 //! One constituent: its law and every per-particle array.
 
 use super::wall::{Slip, Wall, WallKind};
-use crate::error::ParameterError;
 use crate::material::{Material, Memory};
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
@@ -62,9 +61,9 @@ impl<T: Real, const D: usize, M> Rates<T, D, M> {
 /// `density` is the partial density ρ = φρ̃, mass per volume of mixture; `true_density` is ρ̃.
 #[derive(Clone, Debug)]
 pub struct Phase<T: Real, const D: usize, M: Material<T>> {
-    material: M,
-    walls: Vec<Wall<T, D>>,
-    wall_particles: usize,
+    pub(super) material: M,
+    pub(super) walls: Vec<Wall<T, D>>,
+    pub(super) wall_particles: usize,
     pub(crate) id: Vec<u32>,
     /// Which wall a wall particle belongs to; unused for others.
     pub(crate) body: Vec<u16>,
@@ -99,108 +98,6 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             pressure: Vec::new(),
             deviator: Vec::new(),
             wall_acceleration: Vec::new(),
-        }
-    }
-
-    /// Adds particles at rest, each standing for `volume` \[m³, in 2D m²\], under the pressure
-    /// `pressure(x)` \[Pa\]: density by (74), mass by (77).
-    ///
-    /// # Errors
-    /// The volume is not positive, or a position or pressure is not finite.
-    pub fn add(
-        &mut self,
-        positions: &[Vector<T, D>],
-        volume: T,
-        pressure: impl Fn(&Vector<T, D>) -> T,
-    ) -> Result<(), ParameterError> {
-        self.insert(self.len(), positions, 0, volume, &pressure)
-    }
-
-    /// Adds a wall of particles, filled with the same material under the same kind of pressure field.
-    ///
-    /// # Errors
-    /// As for [`add`](Self::add).
-    pub fn add_wall(
-        &mut self,
-        wall: Wall<T, D>,
-        positions: &[Vector<T, D>],
-        volume: T,
-        pressure: impl Fn(&Vector<T, D>) -> T,
-    ) -> Result<(), ParameterError> {
-        let body = self.walls.len() as u16;
-        self.insert(self.wall_particles, positions, body, volume, &pressure)?;
-        for i in self.wall_particles..self.wall_particles + positions.len() {
-            self.now.velocity[i] = wall.velocity(&self.position[i], 0.0);
-            self.half.velocity[i] = self.now.velocity[i];
-        }
-        self.wall_particles += positions.len();
-        self.wall_acceleration.resize(self.wall_particles, Vector::zero());
-        self.walls.push(wall);
-        Ok(())
-    }
-
-    fn insert(
-        &mut self,
-        at: usize,
-        positions: &[Vector<T, D>],
-        body: u16,
-        volume: T,
-        pressure: &dyn Fn(&Vector<T, D>) -> T,
-    ) -> Result<(), ParameterError> {
-        if !(volume > T::ZERO && volume.is_finite()) {
-            return Err(ParameterError::new("volume", volume, "a positive volume [m^D]"));
-        }
-        for x in positions {
-            if !x.is_finite() {
-                return Err(ParameterError::new("position", format!("{:?}", x.0), "finite [m]"));
-            }
-            let p = pressure(x);
-            if !p.is_finite() {
-                return Err(ParameterError::new("pressure", p, "finite [Pa]"));
-            }
-        }
-        let first_id = self.len() as u32;
-        let excess = |x: &Vector<T, D>| self.material.compression(pressure(x));
-        let reference = self.material.reference_density();
-        let new_excess: Vec<T> = positions.iter().map(excess).collect(); // (74)
-        let mass = new_excess.iter().map(|&e| reference * (T::ONE + e) * volume); // (77)
-        let count = positions.len();
-        splice(&mut self.id, at, first_id..first_id + count as u32);
-        splice(&mut self.body, at, vec![body; count]);
-        splice(&mut self.position, at, positions.iter().copied());
-        splice(&mut self.mass, at, mass);
-        splice(&mut self.volume_fraction, at, vec![T::ONE; count]);
-        splice(&mut self.pressure, at, positions.iter().map(pressure));
-        for fields in [&mut self.now, &mut self.half] {
-            splice(&mut fields.velocity, at, vec![Vector::zero(); count]);
-            splice(&mut fields.excess, at, new_excess.iter().copied());
-            splice(&mut fields.memory, at, vec![M::Memory::default(); count]);
-        }
-        let total = self.len();
-        self.rate.acceleration.resize(total, Vector::zero());
-        self.rate.excess.resize(total, T::ZERO);
-        self.rate.memory.resize(total, M::Memory::default());
-        Ok(())
-    }
-
-    /// Gives every particle that is not a wall the velocity `velocity(x)` \[m/s\].
-    pub fn set_velocity(&mut self, velocity: impl Fn(&Vector<T, D>) -> Vector<T, D>) {
-        for i in self.wall_particles..self.len() {
-            self.now.velocity[i] = velocity(&self.position[i]);
-            self.half.velocity[i] = self.now.velocity[i];
-        }
-    }
-
-    /// Gives every particle the volume fraction `fraction(x)` \[-\] at unchanged true density, with
-    /// the mass that belongs to it.
-    pub fn set_volume_fraction(&mut self, fraction: impl Fn(&Vector<T, D>) -> T) {
-        for i in 0..self.len() {
-            let (old, new) = (self.volume_fraction[i], fraction(&self.position[i]));
-            let factor = new / old;
-            self.volume_fraction[i] = new;
-            self.mass[i] *= factor;
-            self.now.excess[i] *= factor;
-            self.half.excess[i] *= factor;
         }
     }
 
@@ -402,10 +299,6 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             None
         }
     }
-}
-
-fn splice<X>(array: &mut Vec<X>, at: usize, new: impl IntoIterator<Item = X>) {
-    array.splice(at..at, new);
 }
 
 fn permute<X: Copy + Send + Sync>(array: &mut Vec<X>, order: &[u32]) {
