@@ -63,6 +63,15 @@ fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions)
     Threads::new(1).expect("a thread").install(|| watch(run, end, conditions))
 }
 
+/// The front of a 3D slab of the default preset.
+pub fn slab_record(spacing: f64, depth: f64, conditions: &Conditions) -> Record {
+    let scene = Tank::dam_break_slab(spacing, depth, Preset::Default);
+    let mixture = mutated(scene.mixture::<f64>(Preset::Default.wall()), conditions);
+    let step_size = StepSize::courant(Preset::Default.courant()).expect("the preset's");
+    let run = Simulation::new(mixture, LeapFrog::new(), step_size);
+    Threads::new(1).expect("a thread").install(|| watch(run, 0.18, conditions))
+}
+
 /// A run whose ledger is looked at.
 #[derive(Clone, Copy, Debug)]
 pub struct Closing {
@@ -83,12 +92,17 @@ impl Closing {
     }
 }
 
-fn mutated<T: Real>(mixture: Mixture<T, 2>, conditions: &Conditions) -> Mixture<T, 2> {
+fn mutated<T: Real, const D: usize>(mixture: Mixture<T, D>, conditions: &Conditions) -> Mixture<T, D> {
+    let down = |g: f64| {
+        let mut gravity = [0.0; D];
+        gravity[1] = -g;
+        Vector::of(gravity)
+    };
     if conditions.is(LIGHT) {
-        return mixture.with_gravity(Vector::of([0.0, -8.0]));
+        return mixture.with_gravity(down(8.0));
     }
     if conditions.is(HEAVY) {
-        return mixture.with_gravity(Vector::of([0.0, -14.0]));
+        return mixture.with_gravity(down(14.0));
     }
     if conditions.is(UNDAMPED) {
         let none = ArtificialViscosity { linear: T::ZERO, quadratic: T::ZERO };
@@ -100,7 +114,7 @@ fn mutated<T: Real>(mixture: Mixture<T, 2>, conditions: &Conditions) -> Mixture<
     mixture
 }
 
-fn watch<T: Real>(mut run: Simulation<T, 2>, end: f64, conditions: &Conditions) -> Record {
+fn watch<T: Real, const D: usize>(mut run: Simulation<T, D>, end: f64, conditions: &Conditions) -> Record {
     let mut record = Record::default();
     let mut start = None;
     for stop in [0.1, 0.2, end].into_iter().filter(|&stop| stop <= end) {
@@ -131,7 +145,7 @@ fn watch<T: Real>(mut run: Simulation<T, 2>, end: f64, conditions: &Conditions) 
     record
 }
 
-fn look<T: Real>(run: &Simulation<T, 2>, record: &mut Record) {
+fn look<T: Real, const D: usize>(run: &Simulation<T, D>, record: &mut Record) {
     record.noise.push(dam_break::pressure_noise(run.mixture()).0);
     record.leaked = record.leaked.max(dam_break::leaked(run.mixture()));
     record.stuck = record.stuck.max(dam_break::stuck(run.mixture()));

@@ -3,6 +3,7 @@
 use alluvium::kernel::{Kernel, WendlandC2};
 use alluvium::material::Water;
 use alluvium::mixture::{Mixture, Phase, Wall};
+use alluvium::neighbours::Periodic;
 use alluvium::verify::dam_break;
 use alluvium::{Preset, Real, Vector, setup};
 
@@ -20,6 +21,8 @@ pub struct Tank<const D: usize> {
     /// Viscosity \[Pa·s\].
     pub viscosity: f64,
     pub preset: Preset,
+    /// The axis along which space repeats itself, if any; there are no walls across it.
+    pub periodic: Option<usize>,
 }
 
 impl Tank<2> {
@@ -32,6 +35,23 @@ impl Tank<2> {
             sound_speed: 25.0,
             viscosity: 1e-3,
             preset,
+            periodic: None,
+        }
+    }
+}
+
+impl Tank<3> {
+    /// A slab of the paper's dam break, `depth` \[m\] deep, endless across.
+    pub fn dam_break_slab(spacing: f64, depth: f64, preset: Preset) -> Self {
+        let flat = Tank::dam_break(spacing, preset);
+        Self {
+            water: [flat.water[0], flat.water[1], depth],
+            tank: [flat.tank[0], flat.tank[1], depth],
+            spacing,
+            sound_speed: flat.sound_speed,
+            viscosity: flat.viscosity,
+            preset,
+            periodic: Some(2),
         }
     }
 }
@@ -56,7 +76,10 @@ impl<const D: usize> Tank<D> {
         let volume = T::of(self.spacing.powi(D as i32));
         let pressure = setup::hydrostatic(T::of(1000.0), T::of(dam_break::GRAVITY), 1, T::of(self.water[1]));
         let layers = self.preset.wall_layers(kernel.support().as_f64() / self.spacing);
-        let closed = core::array::from_fn(|axis| (true, axis != 1));
+        let closed = core::array::from_fn(|axis| match axis {
+            1 => (true, false),
+            _ => (self.periodic != Some(axis), self.periodic != Some(axis)),
+        });
         let mut phase = Phase::new(water);
         // A wall under the water carries its pressure from the start.
         let mut walls = setup::tank([0.0; D], self.tank, self.spacing, layers, closed);
@@ -66,7 +89,13 @@ impl<const D: usize> Tank<D> {
         phase.add(&setup::fill([0.0; D], self.water, self.spacing), volume, &pressure).expect("finite");
         let mut gravity = [0.0; D];
         gravity[1] = -dam_break::GRAVITY;
-        self.preset.apply(Mixture::new(kernel, phase).with_gravity(Vector::of(gravity)))
+        let mut length = [None; D];
+        if let Some(axis) = self.periodic {
+            length[axis] = Some(T::of(self.tank[axis]));
+        }
+        let periodic = Periodic::new(Vector::zero(), length).expect("a positive length");
+        let mixture = Mixture::new(kernel, phase).with_gravity(Vector::of(gravity)).with_periodic(periodic);
+        self.preset.apply(mixture)
     }
 
     fn under_water<T: Real>(&self, x: &Vector<T, D>, pressure: &impl Fn(&Vector<T, D>) -> T) -> T {

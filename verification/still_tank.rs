@@ -61,6 +61,7 @@ fn rest<T: Real>(wall: Wall<T, 2>, conditions: &Conditions) -> Measured {
         sound_speed: 25.0,
         viscosity: 1e-3,
         preset: Preset::Default,
+        periodic: None,
     };
     let mut run = still_water(&scene, wall, conditions);
     if let Err(error) = run.start() {
