@@ -115,3 +115,11 @@ fn avx2<T: Real, W: Work<T>>(work: W) -> W::Out {
 fn avx512<T: Real, W: Work<T>>(work: W) -> W::Out {
     work.run::<<T as Vectors>::Avx512>()
 }
+
+/// Does the work in the lanes that every processor of this architecture has.
+pub(crate) fn baseline<T: Real, W: Work<T>>(work: W) -> W::Out {
+    #[cfg(target_arch = "x86_64")]
+    return work.run::<<T as Vectors>::Sse2>();
+    #[cfg(not(target_arch = "x86_64"))]
+    work.run::<T>()
+}

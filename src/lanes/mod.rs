@@ -28,7 +28,7 @@ mod tests;
 mod x86;
 
 pub use dispatch::{InstructionSet, UnknownInstructionSet};
-pub(crate) use dispatch::{Work, dispatch};
+pub(crate) use dispatch::{Work, baseline, dispatch};
 
 use crate::real::Num;
 

@@ -76,6 +76,7 @@ pub(crate) struct Stressed<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for StressExtrapolation<K, D> {
     const BLOCKS: usize = (D + 7).div_ceil(4);
     const SUMS: usize = 7;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Stressed<N, D>;
 
     #[inline(always)]

@@ -23,6 +23,7 @@ pub(crate) struct Compressed<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for ShepardCompression<K, D> {
     const BLOCKS: usize = (D + 2).div_ceil(4);
     const SUMS: usize = 2;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Compressed<N, D>;
 
     #[inline(always)]

@@ -31,6 +31,7 @@ pub(crate) struct Compressed<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for CompressionGradient<K, D> {
     const BLOCKS: usize = (D + 2).div_ceil(4);
     const SUMS: usize = D + D * D;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Compressed<N, D>;
 
     #[inline(always)]
@@ -59,6 +60,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for CompressionGra
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for RenormalisedDiffusion<K, D> {
     const BLOCKS: usize = (2 * D + 2).div_ceil(4);
     const SUMS: usize = 1;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Compressed<N, D>;
 
     #[inline(always)]

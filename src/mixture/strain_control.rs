@@ -52,6 +52,7 @@ fn read<N: Num, const D: usize>(record: &Record<N>, with_velocity: bool) -> Shea
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for GradientExtrapolation<K, D> {
     const BLOCKS: usize = (D + 1 + D * D).div_ceil(4);
     const SUMS: usize = 1 + D * D;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Sheared<N, D>;
 
     #[inline(always)]
@@ -72,6 +73,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for GradientExtrap
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for UnseenMotion<K, D> {
     const BLOCKS: usize = (2 * D + 1 + D * D).div_ceil(4);
     const SUMS: usize = D;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Sheared<N, D>;
 
     #[inline(always)]

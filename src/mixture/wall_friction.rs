@@ -55,6 +55,7 @@ pub(crate) struct Sticky<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for WallFriction<K, D> {
     const BLOCKS: usize = record_length(D).div_ceil(4);
     const SUMS: usize = 1;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Sticky<N, D>;
 
     #[inline(always)]

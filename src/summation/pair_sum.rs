@@ -1,7 +1,7 @@
 //! The loop over pairs, once for all formulas.
 #![expect(clippy::needless_range_loop, reason = "plain loops keep the instruction set, see `lanes`")]
 
-use crate::lanes::{InstructionSet, Lanes, Work, dispatch};
+use crate::lanes::{InstructionSet, Lanes, Work, baseline, dispatch};
 use crate::neighbours::SlicedList;
 use crate::parallel;
 use crate::real::{Num, Real};
@@ -18,6 +18,9 @@ pub(crate) trait PairFormula<T: Real>: Sync {
     const BLOCKS: usize;
     /// How many sums a particle has.
     const SUMS: usize;
+    /// Whether the sum is taken so seldom, or over so few particles, that the lanes every processor has
+    /// will do: each further set of lanes is another copy to compile.
+    const SELDOM: bool = false;
     /// What a record says about a particle.
     type At<N: Num<Scalar = T>>: Copy;
     /// Reads a record.
@@ -107,7 +110,12 @@ pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
     let slices = particles.min(list.particles()).div_ceil(T::SLICE);
     sums.data.resize(slices * F::SUMS * T::SLICE, T::ZERO);
     parallel::for_each_part(&mut sums.data, F::SUMS * T::SLICE, TASK, &|first, out| {
-        dispatch(set, Task { formula, list, records, first, out });
+        let task = Task { formula, list, records, first, out };
+        if F::SELDOM {
+            baseline(task);
+        } else {
+            dispatch(set, task);
+        }
     });
 }
 
