@@ -250,10 +250,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     fn book_wall_friction(&mut self) {
         let formula = WallFriction::<K, D> { kernel: self.kernel.clone() };
         let (water, shown) = (&self.water, &self.scratch.wall_velocity);
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<WallFriction<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <WallFriction<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO; 13][..wall_friction::record_length(D) - D],
             &|i, record: &mut [T]| {
                 let (v, density) = (&water.now.velocity[i], water.density(i));

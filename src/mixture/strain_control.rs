@@ -102,10 +102,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         self.extrapolate_gradient();
         let (water, shown) = (&self.water, &self.scratch.wall_velocity);
         let gradients = &self.scratch.velocity_gradient;
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<UnseenMotion<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <UnseenMotion<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO; 13][..1 + D * D + D],
             &|i, record: &mut [T]| {
                 // Fluid glides along without friction.
@@ -137,10 +136,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             return;
         }
         let (water, gradients) = (&self.water, &self.scratch.velocity_gradient);
-        self.neighbourhood.pack(
+        self.neighbourhood.pack::<GradientExtrapolation<K, D>>(
             &water.position,
             &mut self.scratch.records,
-            <GradientExtrapolation<K, D> as PairFormula<T>>::BLOCKS,
             &[T::ZERO; 10][..1 + D * D],
             &|i, record: &mut [T]| {
                 record[0] = water.volume(i);
