@@ -126,13 +126,8 @@ pub struct DamBreak<const D: usize> {
 }
 
 /// 12 800 water and 642 wall particles.
-pub const SMALL: DamBreak<2> = DamBreak {
-    name: "2D 13k h=1.0",
-    water: [0.1, 0.2],
-    tank: [0.4, 0.2],
-    spacing: 0.00125,
-    smoothing: 1.0,
-};
+pub const SMALL: DamBreak<2> =
+    DamBreak { name: "2D 13k h=1.0", water: [0.1, 0.2], tank: [0.4, 0.2], spacing: 0.00125, smoothing: 1.0 };
 /// 204 800 water and 2 562 wall particles.
 pub const LARGE: DamBreak<2> = DamBreak { name: "2D 207k h=1.0", spacing: 0.0003125, ..SMALL };
 /// The same with twice the neighbours.

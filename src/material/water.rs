@@ -111,7 +111,8 @@ impl<T: Real> Material<T> for Water<T> {
     #[inline(always)]
     fn pressure(&self, compression: T, (): &()) -> T {
         // The usual exponent is told apart, so that loops over particles become vector code.
-        let excess = if self.exponent == 7 { power(compression, 7) } else { power(compression, self.exponent) };
+        let excess =
+            if self.exponent == 7 { power(compression, 7) } else { power(compression, self.exponent) };
         self.stiffness * excess // (16)
     }
 

@@ -172,7 +172,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         for v in &now.velocity[range.clone()] {
             sound &= v.norm2() <= fastest2;
         }
-        for (&excess, &fraction) in now.excess[range.clone()].iter().zip(&water.volume_fraction[range.clone()]) {
+        for (&excess, &fraction) in
+            now.excess[range.clone()].iter().zip(&water.volume_fraction[range.clone()])
+        {
             sound &= (excess / fraction).abs() <= density_range;
         }
         sound && now.memory[range].iter().all(Memory::is_finite)
