@@ -7,7 +7,7 @@ use crate::budget::{Account, Exchange};
 use crate::kernel::Kernel;
 use crate::material::{Material, Memory};
 use crate::parallel;
-use crate::real::Real;
+use crate::real::{Num, Real};
 use crate::space::Vector;
 use core::fmt;
 use core::ops::Range;
@@ -189,7 +189,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let survey = parallel::reduce(
             self.water.len(),
             Survey::default(),
-            |range| self.survey(range, closest2),
+            |range| self.survey(range, T::of(closest2)),
             |a, b| Survey {
                 acceleration2: if b.acceleration2 > a.acceleration2 {
                     b.acceleration2
@@ -209,21 +209,34 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         Ok(())
     }
 
-    fn survey(&self, range: Range<usize>, closest2: f64) -> Survey<D> {
-        let water = &self.water;
-        let (walls, sums) = (water.wall_particles(), &self.scratch.sums);
-        let (mut acceleration2, mut suspect) = (0.0, None);
-        for i in range.clone() {
-            let a2 = water.rate.acceleration[i].norm2().as_f64();
-            let near2 = sums.get(i, D + sum::CLOSEST).as_f64();
-            if !(a2.is_finite() && water.rate.excess[i].is_finite() && near2 >= closest2) {
-                suspect = suspect.or(Some(i));
-            }
-            if i >= walls && a2 > acceleration2 {
-                acceleration2 = a2;
+    /// `range` begins with a slice.
+    fn survey(&self, range: Range<usize>, closest2: T) -> Survey<D> {
+        let (rate, sums) = (&self.water.rate, &self.scratch.sums);
+        let (mut sound, mut most) = (true, [T::ZERO; 16]);
+        for first in range.clone().step_by(T::SLICE) {
+            let slice = first..range.end.min(first + T::SLICE);
+            let near = sums.lanes(first / T::SLICE, D + sum::CLOSEST);
+            let falls = first >= self.water.wall_particles();
+            let rates = rate.acceleration[slice.clone()].iter().zip(&rate.excess[slice]).zip(near);
+            for (((a, e), &near2), most) in rates.zip(&mut most) {
+                let a2 = a.norm2();
+                sound &= a2.is_finite() & e.is_finite() & (near2 >= closest2);
+                *most = most.max(if falls { a2 } else { T::ZERO });
             }
         }
-        Survey { acceleration2, suspect, exchange_rate: self.exchange(range) }
+        let is_sound = |&i: &usize| {
+            let near2 = sums.get(i, D + sum::CLOSEST);
+            rate.acceleration[i].norm2().is_finite() && rate.excess[i].is_finite() && near2 >= closest2
+        };
+        // The slice in which walls end is looked at particle by particle.
+        let walls = self.water.wall_particles().clamp(range.start, range.end);
+        let mixed = walls..walls.next_multiple_of(T::SLICE).min(range.end);
+        let others = mixed.map(|i| rate.acceleration[i].norm2());
+        Survey {
+            acceleration2: others.chain(most).fold(T::ZERO, Num::max).as_f64(),
+            suspect: if sound { None } else { range.clone().find(|i| !is_sound(i)) },
+            exchange_rate: self.exchange(range),
+        }
     }
 
     /// What is wrong with particle `i`.

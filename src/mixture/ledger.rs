@@ -11,35 +11,40 @@ use crate::space::Vector;
 use crate::time::Moment;
 use core::ops::Range;
 
-/// The terms of an [`Exchange`], each by itself: in an array the loops would keep them in memory, and
-/// wait for it at every particle.
+/// Most lanes of a slice.
+const LANES: usize = 16;
+
+/// The terms of an [`Exchange`]. What every particle adds to is summed lane by lane, which makes vector
+/// code of it, with the same bits on every machine.
 struct Terms<const D: usize> {
-    artificial_viscosity: f64,
-    density_diffusion: f64,
+    artificial_viscosity: [f64; LANES],
+    density_diffusion: [f64; LANES],
+    /// Of the particles that only gravity accelerates.
+    falling_mass: [f64; LANES],
     wall_work: f64,
     wall_extrapolation: f64,
     external: f64,
-    impulse: [f64; D],
-}
-
-impl<const D: usize> Default for Terms<D> {
-    fn default() -> Self {
-        Self {
-            artificial_viscosity: 0.0,
-            density_diffusion: 0.0,
-            wall_work: 0.0,
-            wall_extrapolation: 0.0,
-            external: 0.0,
-            impulse: [0.0; D],
-        }
-    }
+    impulse: Vector<f64, D>,
 }
 
 impl<const D: usize> Terms<D> {
-    fn booked(&self) -> Exchange<D> {
-        let mut booked = Exchange { impulse: Vector(self.impulse), ..Exchange::default() };
-        booked.taken[Account::ArtificialViscosity] = self.artificial_viscosity;
-        booked.taken[Account::DensityDiffusion] = self.density_diffusion;
+    fn new() -> Self {
+        Self {
+            artificial_viscosity: [0.0; LANES],
+            density_diffusion: [0.0; LANES],
+            falling_mass: [0.0; LANES],
+            wall_work: 0.0,
+            wall_extrapolation: 0.0,
+            external: 0.0,
+            impulse: Vector::zero(),
+        }
+    }
+
+    fn booked(&self, gravity: Vector<f64, D>) -> Exchange<D> {
+        let weight = gravity * self.falling_mass.iter().sum();
+        let mut booked = Exchange { impulse: self.impulse + weight, ..Exchange::default() };
+        booked.taken[Account::ArtificialViscosity] = self.artificial_viscosity.iter().sum();
+        booked.taken[Account::DensityDiffusion] = self.density_diffusion.iter().sum();
         booked.taken[Account::WallWork] = self.wall_work;
         booked.taken[Account::WallExtrapolation] = self.wall_extrapolation;
         booked.taken[Account::External] = self.external;
@@ -48,50 +53,74 @@ impl<const D: usize> Terms<D> {
 }
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
-    /// What the particles of `range` lose and are given per time, term by term.
+    /// What the particles of `range`, which begins with a slice, lose and are given per time, term by
+    /// term.
     pub(super) fn exchange(&self, range: Range<usize>) -> Exchange<D> {
-        let middle = self.water.wall_particles().clamp(range.start, range.end);
-        let mut terms = Terms::default();
-        for i in range.start..middle {
-            self.add_dissipation(i, self.water.is_evolving(i), &mut terms);
-            let (mass, a) = (self.water.mass[i].as_f64(), self.water.rate.acceleration[i]);
-            terms.wall_work += mass * a.dot(self.water.now.velocity[i]).as_f64();
-            for k in 0..D {
-                terms.impulse[k] -= mass * a[k].as_f64();
+        let walls = self.water.wall_particles().clamp(range.start, range.end);
+        let mut terms = Terms::new();
+        for first in range.clone().step_by(T::SLICE) {
+            let slice = first..range.end.min(first + T::SLICE);
+            if slice.start < walls {
+                self.add_walls(slice.start..walls.min(slice.end), &mut terms);
             }
-        }
-        let gravity = self.gravity.as_f64();
-        for i in middle..range.end {
-            self.add_dissipation(i, true, &mut terms);
-            if self.force.is_none() {
-                let mass = self.water.mass[i].as_f64();
-                for k in 0..D {
-                    terms.impulse[k] += mass * gravity[k];
-                }
-            }
+            self.add_dissipation(walls.clamp(slice.start, slice.end)..slice.end, &mut terms);
         }
         if self.force.is_some() {
-            self.add_force(middle..range.end, &mut terms);
+            terms.falling_mass = [0.0; LANES];
+            self.add_force(walls..range.end, &mut terms);
         }
-        terms.booked()
+        terms.booked(Vector(self.gravity.as_f64()))
     }
 
-    /// What artificial viscosity, diffusion and extrapolated walls take.
+    /// What the particles of walls take and are given.
+    fn add_walls(&self, range: Range<usize>, terms: &mut Terms<D>) {
+        let water = &self.water;
+        for i in range {
+            if water.is_evolving(i) {
+                // Its mass does not fall.
+                let falling_mass = terms.falling_mass;
+                self.add_dissipation(i..i + 1, terms);
+                terms.falling_mass = falling_mass;
+            } else {
+                let (mass, density) = (water.mass[i].as_f64(), water.density(i));
+                let stores = water.pressure[i] * water.volume_fraction[i] / (density * density);
+                let compression = self.scratch.sums.get(i, D + sum::COMPRESSION).as_f64();
+                let loss = self.scratch.sums.get(i, D + sum::VISCOUS_LOSS).as_f64();
+                terms.artificial_viscosity[i % T::SLICE] += 0.5 * mass * loss;
+                terms.wall_extrapolation += stores.as_f64() * mass * compression;
+            }
+            let (mass, a) = (water.mass[i].as_f64(), water.rate.acceleration[i]);
+            terms.wall_work += mass * a.dot(water.now.velocity[i]).as_f64();
+            terms.impulse -= Vector(a.as_f64()) * mass;
+        }
+    }
+
+    /// What artificial viscosity and diffusion take from evolving particles of one slice.
     #[inline(always)]
-    fn add_dissipation(&self, i: usize, is_evolving: bool, terms: &mut Terms<D>) {
+    fn add_dissipation(&self, range: Range<usize>, terms: &mut Terms<D>) {
+        if range.is_empty() {
+            return;
+        }
         let (water, sums) = (&self.water, &self.scratch.sums);
-        let mass = water.mass[i].as_f64();
-        let half = 0.5 * mass;
-        terms.artificial_viscosity += half * sums.get(i, D + sum::VISCOUS_LOSS).as_f64();
-        // p φ/ρ² per unit of dρ is the energy a density rate stores.
-        let density = water.density(i);
-        let stores = (water.pressure[i] * water.volume_fraction[i] / (density * density)).as_f64() * mass;
-        let compression = sums.get(i, D + sum::COMPRESSION).as_f64();
-        if is_evolving {
-            let reference = water.material().reference_density().as_f64();
-            terms.density_diffusion -= stores * (water.rate.excess[i].as_f64() * reference - compression);
-        } else {
-            terms.wall_extrapolation += stores * compression;
+        let (slice, lane) = (range.start / T::SLICE, range.start % T::SLICE);
+        let losses = &sums.lanes(slice, D + sum::VISCOUS_LOSS)[lane..];
+        let compressions = &sums.lanes(slice, D + sum::COMPRESSION)[lane..];
+        let (masses, pressures) = (&water.mass[range.clone()], &water.pressure[range.clone()]);
+        let (fractions, excesses) = (&water.volume_fraction[range.clone()], &water.now.excess[range.clone()]);
+        let rates = &water.rate.excess[range.clone()];
+        let reference = water.material().reference_density();
+        let viscosity = &mut terms.artificial_viscosity[lane..];
+        let (diffusion, falling) = (&mut terms.density_diffusion[lane..], &mut terms.falling_mass[lane..]);
+        let count = range.len().min(T::SLICE - lane);
+        for k in 0..count {
+            let mass = masses[k].as_f64();
+            let density = reference * (fractions[k] + excesses[k]);
+            // p φ/ρ² per unit of dρ is the energy a density rate stores.
+            let stores = (pressures[k] * fractions[k] / (density * density)).as_f64() * mass;
+            let diffused = rates[k].as_f64() * reference.as_f64() - compressions[k].as_f64();
+            viscosity[k] += 0.5 * mass * losses[k].as_f64();
+            diffusion[k] -= stores * diffused;
+            falling[k] += mass;
         }
     }
 
@@ -104,10 +133,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             if force.potential.is_none() {
                 terms.external -= mass * other.dot(velocity).as_f64();
             }
-            let push = self.gravity + other;
-            for k in 0..D {
-                terms.impulse[k] += mass * push[k].as_f64();
-            }
+            terms.impulse += Vector((self.gravity + other).as_f64()) * mass;
         }
     }
 

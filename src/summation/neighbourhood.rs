@@ -1,12 +1,13 @@
 //! A cloud of particles, who is near whom in it, and the sums over them.
 
-use super::{Aligned, PairFormula, Sums, pair_sum};
+mod passes;
+mod staleness;
+
 use crate::lanes::InstructionSet;
 use crate::neighbours::{Ghost, Grid, NeighbourSearch, Periodic, SlicedList, sorted_candidates};
-use crate::parallel::{self, CHUNK};
+use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
-use core::ops::Range;
 
 /// The neighbours of a cloud of particles within the support κh of a kernel.
 ///
@@ -78,17 +79,7 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         if self.rebuilds == 0 || positions.len() != self.particles {
             return true;
         }
-        // Two particles may approach each other. A hair early, so that rounding loses no pair.
-        let limit = self.skin * self.skin * T::of(0.998);
-        let near = |range: Range<usize>| {
-            let mut near = true;
-            for (x, start) in positions[range.clone()].iter().zip(&self.points[range]) {
-                // Written so that NaN counts as far, and without a branch.
-                near &= (*x - *start).norm2() * T::of(4.0) <= limit;
-            }
-            near
-        };
-        !parallel::reduce(positions.len(), true, near, |a, b| a && b)
+        staleness::have_strayed(positions, &self.points, self.skin)
     }
 
     /// The order that sorts the walls (the first `walls` positions) and the others by cell; particles
@@ -149,60 +140,6 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self.ghosts = order.iter().map(|&g| self.ghosts[g as usize - count]).collect();
         let sorted: Vec<_> = order.iter().map(|&g| self.points[g as usize]).collect();
         self.points[count..].copy_from_slice(&sorted);
-    }
-
-    /// Writes the records of all particles, ghosts and the dummy as formula `F` reads them: the
-    /// position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has `dummy`, and zeros behind it. The dummy stands where kernels vanish; choose its fields so that
-    /// the formula stays finite there (mass zero, density one).
-    ///
-    /// # Panics
-    /// The number of positions is not that of the last rebuild, or a record is too short.
-    pub(crate) fn pack<F: PairFormula<T>>(
-        &self,
-        positions: &[Vector<T, D>],
-        records: &mut Aligned<T>,
-        dummy: &[T],
-        fields: &(impl Fn(usize, &mut [T]) + Sync),
-    ) {
-        assert_eq!(positions.len(), self.particles);
-        let length = const { 4 * F::BLOCKS };
-        records.resize((self.points.len() + 1) * length);
-        let (own, rest) = records.as_mut_slice().split_at_mut(self.particles * length);
-        let (images, last) = rest.split_at_mut(self.ghosts.len() * length);
-        parallel::for_each_part(own, length, CHUNK, &|first, part: &mut [T]| {
-            // A constant length inside the loop saves every check of an index.
-            for (offset, record) in part.chunks_exact_mut(const { 4 * F::BLOCKS }).enumerate() {
-                record[..D].copy_from_slice(&positions[first + offset].0);
-                fields(first + offset, &mut record[D..]);
-            }
-        });
-        let own = &*own;
-        parallel::for_each_part(images, length, CHUNK, &|first, part: &mut [T]| {
-            for (record, ghost) in part.chunks_exact_mut(length).zip(&self.ghosts[first..]) {
-                let owner = ghost.owner as usize;
-                record.copy_from_slice(&own[owner * length..(owner + 1) * length]);
-                record[..D].copy_from_slice(&(positions[owner] + ghost.shift).0);
-            }
-        });
-        last[..D].fill(self.far);
-        last[D..].fill(T::ZERO);
-        last[D..D + dummy.len()].copy_from_slice(dummy);
-    }
-
-    /// Evaluates a formula for every particle, from the records [`pack`](Self::pack) has written.
-    pub(crate) fn sum<F: PairFormula<T>>(&self, formula: &F, records: &Aligned<T>, sums: &mut Sums<T>) {
-        self.sum_first(self.particles, formula, records, sums);
-    }
-
-    /// The same for the first `count` particles at least, such as the walls.
-    pub(crate) fn sum_first<F: PairFormula<T>>(
-        &self,
-        count: usize,
-        formula: &F,
-        records: &Aligned<T>,
-        sums: &mut Sums<T>,
-    ) {
-        pair_sum(formula, &self.list, count, records.as_slice(), self.set, sums);
     }
 
     /// Calls `visit(j, xᵢ − xⱼ, r²)` for the listed neighbours of particle `i` at `r < κh`, strictly

@@ -1,6 +1,7 @@
 use super::*;
 use crate::neighbours::{BruteForce, CellList};
 use crate::real::Num;
+use crate::summation::{Aligned, PairFormula, Sums};
 
 /// Σ m_j (κh − r)₊ over the neighbours, and how many records were read at r < κh.
 struct Cone<T> {
