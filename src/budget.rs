@@ -1,5 +1,6 @@
 //! The ledger: where mass, momentum and energy are, and who took what. All in double precision.
 
+use crate::space::Vector;
 use core::ops::{Add, Index, IndexMut, Mul};
 
 /// Something that adds energy to the particles or takes it away.
@@ -53,6 +54,7 @@ impl Account {
 
 /// An amount for each [`Account`]: energy taken from the particles \[J\], or power \[W\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Works([f64; Account::ALL.len()]);
 
 impl Works {
@@ -97,16 +99,17 @@ impl Mul<f64> for Works {
 
 /// What has been exchanged with the particles, or is per time: energy and momentum.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Exchange<const D: usize> {
     /// Energy taken \[J\], or power \[W\].
     pub taken: Works,
     /// Momentum given by gravity, body forces and walls \[kg m/s\], or force \[N\].
-    pub impulse: [f64; D],
+    pub impulse: Vector<f64, D>,
 }
 
 impl<const D: usize> Default for Exchange<D> {
     fn default() -> Self {
-        Self { taken: Works::default(), impulse: [0.0; D] }
+        Self { taken: Works::default(), impulse: Vector::zero() }
     }
 }
 
@@ -114,9 +117,7 @@ impl<const D: usize> Add for Exchange<D> {
     type Output = Self;
     fn add(mut self, other: Self) -> Self {
         self.taken = self.taken + other.taken;
-        for (a, b) in self.impulse.iter_mut().zip(other.impulse) {
-            *a += b;
-        }
+        self.impulse += other.impulse;
         self
     }
 }
@@ -124,7 +125,7 @@ impl<const D: usize> Add for Exchange<D> {
 impl<const D: usize> Mul<f64> for Exchange<D> {
     type Output = Self;
     fn mul(self, factor: f64) -> Self {
-        Self { taken: self.taken * factor, impulse: self.impulse.map(|x| x * factor) }
+        Self { taken: self.taken * factor, impulse: self.impulse * factor }
     }
 }
 

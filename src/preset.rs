@@ -8,6 +8,7 @@ use core::fmt;
 
 /// Numerical choices for water alone. `docs/errata.md` says what goes wrong with the paper's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Preset {
     /// As printed: h = Δx, diffusion of the partial density, (70) every 20 steps, dynamic walls of
     /// three layers, Courant number 0.3.

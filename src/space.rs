@@ -150,6 +150,42 @@ impl<N: Num, const D: usize> Neg for Vector<N, D> {
     }
 }
 
+#[cfg(feature = "serde")]
+impl<N: serde::Serialize, const D: usize> serde::Serialize for Vector<N, D> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeTuple;
+        let mut tuple = serializer.serialize_tuple(D)?;
+        for x in &self.0 {
+            tuple.serialize_element(x)?;
+        }
+        tuple.end()
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de, N: serde::Deserialize<'de>, const D: usize> serde::Deserialize<'de> for Vector<N, D> {
+    fn deserialize<S: serde::Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        struct Components<N, const D: usize>(core::marker::PhantomData<N>);
+        impl<'de, N: serde::Deserialize<'de>, const D: usize> serde::de::Visitor<'de> for Components<N, D> {
+            type Value = Vector<N, D>;
+            fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                write!(f, "{D} components")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+                let mut components = Vec::with_capacity(D);
+                while let Some(x) = seq.next_element()? {
+                    components.push(x);
+                }
+                let count = components.len();
+                let array =
+                    components.try_into().map_err(|_| serde::de::Error::invalid_length(count, &self))?;
+                Ok(Vector(array))
+            }
+        }
+        deserializer.deserialize_tuple(D, Components(core::marker::PhantomData))
+    }
+}
+
 /// A three-dimensional second-order tensor, row by row: `t[α][β]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tensor<N>(pub [[N; 3]; 3]);

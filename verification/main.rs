@@ -10,14 +10,24 @@
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
 mod bench;
+mod channel;
+mod dam_break;
+mod dam_run;
+mod drops;
+mod fits;
 mod flags;
 mod identity;
 mod kernels;
 mod lattice_sums;
 mod operators;
 mod operators_exact;
+mod powers;
 mod scene;
+mod sound;
 mod still_tank;
+mod tanks;
+mod taylor_green;
+mod water;
 
 use alluvium::verify::{Environment, Level, Outcome, Report, Study};
 use flags::Flags;
@@ -28,12 +38,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
     [
+        dam_break::studies(),
         kernels::studies(),
         lattice_sums::studies(),
         identity::studies(),
         operators::studies(),
         operators_exact::studies(),
         still_tank::studies(),
+        powers::studies(),
+        sound::studies(),
+        taylor_green::studies(),
+        channel::studies(),
+        tanks::studies(),
+        drops::studies(),
     ]
     .into_iter()
     .flatten()

@@ -3,8 +3,6 @@
 use alluvium::kernel::{Kernel, WendlandC2};
 use alluvium::material::Water;
 use alluvium::mixture::{Mixture, Phase, Wall};
-use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
 use alluvium::verify::dam_break;
 use alluvium::{Preset, Real, Vector, setup};
 
@@ -39,21 +37,17 @@ impl Tank<2> {
 }
 
 impl<const D: usize> Tank<D> {
-    /// The run with the preset's walls.
-    pub fn simulation<T: Real>(&self) -> Simulation<T, D> {
-        self.simulation_with(self.preset.wall())
-    }
-
-    /// The run with another wall.
-    pub fn simulation_with<T: Real>(&self, wall: Wall<T, D>) -> Simulation<T, D> {
-        let mixture = self.mixture(wall);
-        let step_size = StepSize::courant(T::of(self.preset.courant())).expect("the preset's");
-        Simulation::new(mixture, LeapFrog::new(), step_size)
-            .with_reinitialisation(self.preset.reinitialise_every())
-    }
-
     /// The particles under hydrostatic pressure, the axis y pointing up.
     pub fn mixture<T: Real>(&self, wall: Wall<T, D>) -> Mixture<T, D> {
+        self.mixture_without(wall, &|_| false)
+    }
+
+    /// The same without the wall particles that `missing` names by number.
+    pub fn mixture_without<T: Real>(
+        &self,
+        wall: Wall<T, D>,
+        missing: &dyn Fn(usize) -> bool,
+    ) -> Mixture<T, D> {
         let kernel: WendlandC2<T, D> =
             WendlandC2::new(T::of(self.preset.smoothing_ratio() * self.spacing)).expect("a positive length");
         let water = Water::new(T::of(1000.0), T::of(self.sound_speed))
@@ -65,7 +59,9 @@ impl<const D: usize> Tank<D> {
         let closed = core::array::from_fn(|axis| (true, axis != 1));
         let mut phase = Phase::new(water);
         // A wall under the water carries its pressure from the start.
-        let walls = setup::tank([0.0; D], self.tank, self.spacing, layers, closed);
+        let mut walls = setup::tank([0.0; D], self.tank, self.spacing, layers, closed);
+        let mut number = 0..walls.len();
+        walls.retain(|_| !number.next().is_some_and(missing));
         phase.add_wall(wall, &walls, volume, |x| self.under_water(x, &pressure)).expect("finite");
         phase.add(&setup::fill([0.0; D], self.water, self.spacing), volume, &pressure).expect("finite");
         let mut gravity = [0.0; D];

@@ -28,9 +28,10 @@ pub trait Kernel<T: Real, const D: usize>: Clone + core::fmt::Debug + Send + Syn
     fn slope<N: Num<Scalar = T>>(&self, r2: N) -> N;
 }
 
-/// `h` must be positive and finite, `D` 1, 2 or 3.
+/// `h` must be positive and finite, and `h^{−D−2}`, the unit of slopes, representable; `D` 1, 2 or 3.
 fn checked<T: Real>(h: T, dimension: usize) -> Result<T, ParameterError> {
-    if !(h > T::ZERO && h.is_finite()) {
+    let steepest = T::of(1e3 / power(h.as_f64(), dimension + 2));
+    if !(h > T::ZERO && h.is_finite() && steepest.is_finite()) {
         return Err(ParameterError::new("smoothing_length", h, "a positive length [m]"));
     }
     assert!((1..=3).contains(&dimension), "kernels exist in 1 to 3 dimensions");

@@ -11,7 +11,7 @@ use crate::space::{SymTensor, Tensor};
 use core::fmt::Debug;
 
 /// What a law remembers of a particle's past, such as stress. Nothing, for water.
-pub trait Memory<T: Real>: Copy + Debug + Default + Send + Sync + 'static {
+pub trait Memory<T: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
     /// `self + rate · dt`.
     fn advanced(self, rate: Self, dt: T) -> Self;
     /// No number in it is infinite or NaN.

@@ -5,11 +5,12 @@ use super::evaluation::vector_sum;
 use super::own_pairs::sum;
 use crate::budget::{Account, Exchange};
 use crate::kernel::Kernel;
-use crate::material::Material;
+use crate::material::{Material, Memory};
 use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
 use core::fmt;
+use core::ops::Range;
 
 /// The particle something is wrong with.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,18 +124,25 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         let water = &self.water;
         let walls = water.wall_particles();
         let c = water.material().sound_speed();
-        let range = T::of(DENSITY_RANGE);
+        let range_of_density = T::of(DENSITY_RANGE);
         let sound = |i: usize| {
             water.bad_field(i).is_none()
-                && water.compression(i).abs() <= range
+                && water.compression(i).abs() <= range_of_density
                 && (i < walls || water.now.velocity[i].norm2() <= c * c)
         };
-        let Some(i) = first_where(water.len(), &|i| !sound(i)) else { return Ok(()) };
+        let first_bad = |mut range: Range<usize>| {
+            if self.is_plainly_sound(range.clone(), c * c, range_of_density) {
+                return None;
+            }
+            range.find(|&i| !sound(i))
+        };
+        let first_bad = parallel::reduce(water.len(), None, first_bad, Option::or);
+        let Some(i) = first_bad else { return Ok(()) };
         let culprit = self.culprit(i);
         if let Some(field) = water.bad_field(i) {
             return Err(StepError::NotFinite { culprit, field, term: "state before the evaluation" });
         }
-        if water.compression(i).abs() > range {
+        if water.compression(i).abs() > range_of_density {
             let reference = water.material().reference_density().as_f64();
             let allowed = format!(
                 "{} to {} kg/m³",
@@ -151,6 +159,25 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             value,
             allowed: format!("up to the speed of sound, {c} m/s"),
         })
+    }
+
+    /// Whether nothing is wrong with the particles of `range`, by a quick look without branches that
+    /// may have false alarms: for fast walls, and where a square overflows.
+    fn is_plainly_sound(&self, range: Range<usize>, fastest2: T, density_range: T) -> bool {
+        let (water, now) = (&self.water, &self.water.now);
+        let mut sound = true;
+        for x in &water.position[range.clone()] {
+            sound &= x.norm2().is_finite();
+        }
+        for v in &now.velocity[range.clone()] {
+            sound &= v.norm2() <= fastest2;
+        }
+        for (&excess, &fraction) in
+            now.excess[range.clone()].iter().zip(&water.volume_fraction[range.clone()])
+        {
+            sound &= (excess / fraction).abs() <= density_range;
+        }
+        sound && now.memory[range].iter().all(Memory::is_finite)
     }
 
     /// Rates after an evaluation: all finite, nobody on top of another. Also finds the largest
@@ -182,23 +209,21 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         Ok(())
     }
 
-    fn survey(&self, range: core::ops::Range<usize>, closest2: f64) -> Survey<D> {
+    fn survey(&self, range: Range<usize>, closest2: f64) -> Survey<D> {
         let water = &self.water;
         let (walls, sums) = (water.wall_particles(), &self.scratch.sums);
-        let mut found = Survey::default();
-        for i in range {
-            let a = water.rate.acceleration[i];
-            let a2 = a.norm2().as_f64();
+        let (mut acceleration2, mut suspect) = (0.0, None);
+        for i in range.clone() {
+            let a2 = water.rate.acceleration[i].norm2().as_f64();
             let near2 = sums.get(i, D + sum::CLOSEST).as_f64();
             if !(a2.is_finite() && water.rate.excess[i].is_finite() && near2 >= closest2) {
-                found.suspect = found.suspect.or(Some(i));
+                suspect = suspect.or(Some(i));
             }
-            if i >= walls && a2 > found.acceleration2 {
-                found.acceleration2 = a2;
+            if i >= walls && a2 > acceleration2 {
+                acceleration2 = a2;
             }
-            self.add_exchange(i, a, &mut found.exchange_rate);
         }
-        found
+        Survey { acceleration2, suspect, exchange_rate: self.exchange(range) }
     }
 
     /// What is wrong with particle `i`.
@@ -244,9 +269,4 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             time: self.time,
         }
     }
-}
-
-/// The lowest index with a property.
-fn first_where(count: usize, property: &(impl Fn(usize) -> bool + Sync)) -> Option<usize> {
-    parallel::reduce(count, None, |mut range| range.find(|&i| property(i)), |a, b| a.or(b))
 }

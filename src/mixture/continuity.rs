@@ -7,6 +7,7 @@ use crate::space::Vector;
 ///
 /// The coefficient δ \[-\] is 0.1 in the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum DensityDiffusion<T> {
     /// No diffusion.
     None,
@@ -15,7 +16,8 @@ pub enum DensityDiffusion<T> {
     /// The true density times the mean volume fraction (Molteni & Colagrossi 2009 for water alone).
     TrueDensity(T),
     /// The true density less its hydrostatic distribution (Fourtakas et al. 2019): leaves still
-    /// water at rest.
+    /// water at rest. Water in free fall has no such distribution, and is pulled at a little at its
+    /// surfaces: by some mm/s and Pa in a body of 0.1 m.
     Hydrostatic(T),
     /// The true density less its renormalised gradient (Antuono et al. 2010): acts on what a linear
     /// field cannot explain. Costs two more passes.

@@ -6,6 +6,7 @@ use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::Vector;
 use crate::time::Moment;
+use core::ops::{Add, Mul};
 
 impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// `X_target ← X_base + dt · DX/Dt` for every particle but prescribed walls, made admissible;
@@ -15,18 +16,15 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         let base = (base != target).then(|| self.fields(base));
         let walls = self.wall_particles();
         parallel::for_each_part(&mut fields.velocity, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
-            for (k, v) in part.iter_mut().enumerate().skip(walls.saturating_sub(first)) {
-                let i = first + k;
-                *v = base.map_or(*v, |base| base.velocity[i]) + self.rate.acceleration[i] * dt;
-            }
+            let (i, (_, part)) = (walls.max(first), split(part, walls, first));
+            kick(part, base.map(|base| &base.velocity[i..]), &self.rate.acceleration[i..], dt);
         });
         parallel::for_each_part(&mut fields.excess, 1, CHUNK, &|first, part: &mut [T]| {
-            for (k, e) in part.iter_mut().enumerate() {
-                let i = first + k;
-                if self.is_evolving(i) {
-                    *e = base.map_or(*e, |base| base.excess[i]) + self.rate.excess[i] * dt;
-                }
+            let (i, (wall, rest)) = (walls.max(first), split(part, walls, first));
+            for (k, e) in wall.iter_mut().enumerate().filter(|(k, _)| self.is_evolving(first + k)) {
+                *e = base.map_or(*e, |base| base.excess[first + k]) + self.rate.excess[first + k] * dt;
             }
+            kick(rest, base.map(|base| &base.excess[i..]), &self.rate.excess[i..], dt);
         });
         let mut returned = 0.0;
         if size_of::<M::Memory>() > 0 {
@@ -49,9 +47,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         let mut positions = core::mem::take(&mut self.position);
         let velocity = &self.fields(moment).velocity;
         parallel::for_each_part(&mut positions, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
-            for (k, x) in part.iter_mut().enumerate().skip(walls.saturating_sub(first)) {
-                *x += velocity[first + k] * dt;
-            }
+            let (i, (_, part)) = (walls.max(first), split(part, walls, first));
+            kick(part, None, &velocity[i..], dt);
         });
         self.position = positions;
         if self.walls().iter().any(super::Wall::moves) {
@@ -73,6 +70,33 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             self.wall_acceleration[i] = (after - before) * (T::ONE / dt);
             self.now.velocity[i] = after;
             self.half.velocity[i] = after;
+        }
+    }
+}
+
+/// Splits a part that begins at particle `first` into walls and the others. The index of the first
+/// of these is `walls.max(first)`, if there is one.
+fn split<X>(part: &mut [X], walls: usize, first: usize) -> (&mut [X], &mut [X]) {
+    part.split_at_mut(walls.saturating_sub(first).min(part.len()))
+}
+
+/// `x ← base + dt · rate`, or `x ← x + dt · rate`. Plain slices, so that it becomes vector code.
+fn kick<T: Copy, X: Copy + Add<Output = X> + Mul<T, Output = X>>(
+    part: &mut [X],
+    base: Option<&[X]>,
+    rate: &[X],
+    dt: T,
+) {
+    match base {
+        Some(base) => {
+            for ((x, &base), &rate) in part.iter_mut().zip(base).zip(rate) {
+                *x = base + rate * dt;
+            }
+        }
+        None => {
+            for (x, &rate) in part.iter_mut().zip(rate) {
+                *x = *x + rate * dt;
+            }
         }
     }
 }

@@ -9,44 +9,105 @@ use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
 use crate::time::Moment;
+use core::ops::Range;
+
+/// The terms of an [`Exchange`], each by itself: in an array the loops would keep them in memory, and
+/// wait for it at every particle.
+struct Terms<const D: usize> {
+    artificial_viscosity: f64,
+    density_diffusion: f64,
+    wall_work: f64,
+    wall_extrapolation: f64,
+    external: f64,
+    impulse: [f64; D],
+}
+
+impl<const D: usize> Default for Terms<D> {
+    fn default() -> Self {
+        Self {
+            artificial_viscosity: 0.0,
+            density_diffusion: 0.0,
+            wall_work: 0.0,
+            wall_extrapolation: 0.0,
+            external: 0.0,
+            impulse: [0.0; D],
+        }
+    }
+}
+
+impl<const D: usize> Terms<D> {
+    fn booked(&self) -> Exchange<D> {
+        let mut booked = Exchange { impulse: Vector(self.impulse), ..Exchange::default() };
+        booked.taken[Account::ArtificialViscosity] = self.artificial_viscosity;
+        booked.taken[Account::DensityDiffusion] = self.density_diffusion;
+        booked.taken[Account::WallWork] = self.wall_work;
+        booked.taken[Account::WallExtrapolation] = self.wall_extrapolation;
+        booked.taken[Account::External] = self.external;
+        booked
+    }
+}
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
-    /// Adds what particle `i`, accelerated by `a`, loses and is given per time, term by term.
+    /// What the particles of `range` lose and are given per time, term by term.
+    pub(super) fn exchange(&self, range: Range<usize>) -> Exchange<D> {
+        let middle = self.water.wall_particles().clamp(range.start, range.end);
+        let mut terms = Terms::default();
+        for i in range.start..middle {
+            self.add_dissipation(i, self.water.is_evolving(i), &mut terms);
+            let (mass, a) = (self.water.mass[i].as_f64(), self.water.rate.acceleration[i]);
+            terms.wall_work += mass * a.dot(self.water.now.velocity[i]).as_f64();
+            for k in 0..D {
+                terms.impulse[k] -= mass * a[k].as_f64();
+            }
+        }
+        let gravity = self.gravity.as_f64();
+        for i in middle..range.end {
+            self.add_dissipation(i, true, &mut terms);
+            if self.force.is_none() {
+                let mass = self.water.mass[i].as_f64();
+                for k in 0..D {
+                    terms.impulse[k] += mass * gravity[k];
+                }
+            }
+        }
+        if self.force.is_some() {
+            self.add_force(middle..range.end, &mut terms);
+        }
+        terms.booked()
+    }
+
+    /// What artificial viscosity, diffusion and extrapolated walls take.
     #[inline(always)]
-    pub(super) fn add_exchange(&self, i: usize, a: Vector<T, D>, rate: &mut Exchange<D>) {
-        let powers = &mut rate.taken;
+    fn add_dissipation(&self, i: usize, is_evolving: bool, terms: &mut Terms<D>) {
         let (water, sums) = (&self.water, &self.scratch.sums);
         let mass = water.mass[i].as_f64();
         let half = 0.5 * mass;
-        powers[Account::ArtificialViscosity] += half * sums.get(i, D + sum::VISCOUS_LOSS).as_f64();
+        terms.artificial_viscosity += half * sums.get(i, D + sum::VISCOUS_LOSS).as_f64();
         // p φ/ρ² per unit of dρ is the energy a density rate stores.
         let density = water.density(i);
         let stores = (water.pressure[i] * water.volume_fraction[i] / (density * density)).as_f64() * mass;
-        let reference = water.material().reference_density().as_f64();
         let compression = sums.get(i, D + sum::COMPRESSION).as_f64();
-        if water.is_evolving(i) {
-            let diffusion = water.rate.excess[i].as_f64() * reference - compression;
-            powers[Account::DensityDiffusion] -= stores * diffusion;
+        if is_evolving {
+            let reference = water.material().reference_density().as_f64();
+            terms.density_diffusion -= stores * (water.rate.excess[i].as_f64() * reference - compression);
         } else {
-            powers[Account::WallExtrapolation] += stores * compression;
+            terms.wall_extrapolation += stores * compression;
         }
-        if i < water.wall_particles() {
-            powers[Account::WallWork] += mass * a.dot(water.now.velocity[i]).as_f64();
-            for k in 0..D {
-                rate.impulse[k] -= mass * a[k].as_f64();
-            }
-            return;
-        }
-        let mut push = self.gravity;
-        if let Some(force) = &self.force {
+    }
+
+    /// What gravity and the body force give to particles that are no wall's.
+    fn add_force(&self, range: Range<usize>, terms: &mut Terms<D>) {
+        let (water, Some(force)) = (&self.water, &self.force) else { return };
+        for i in range {
+            let (mass, velocity) = (water.mass[i].as_f64(), water.now.velocity[i]);
             let other = (force.acceleration)(&water.position[i], self.time);
-            push += other;
             if force.potential.is_none() {
-                powers[Account::External] -= mass * other.dot(water.now.velocity[i]).as_f64();
+                terms.external -= mass * other.dot(velocity).as_f64();
             }
-        }
-        for k in 0..D {
-            rate.impulse[k] += mass * push[k].as_f64();
+            let push = self.gravity + other;
+            for k in 0..D {
+                terms.impulse[k] += mass * push[k].as_f64();
+            }
         }
     }
 
@@ -79,7 +140,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             potential: 0.0,
             compressive: self.compressive_energy(),
             taken: self.exchanged[Moment::Now as usize].taken,
-            impulse: self.exchanged[Moment::Now as usize].impulse,
+            impulse: self.exchanged[Moment::Now as usize].impulse.0,
         };
         let water = &self.water;
         let gravity = self.gravity.as_f64();

@@ -14,14 +14,19 @@ mod phase;
 mod probe;
 mod reinitialisation;
 mod renormalised;
+mod state;
+mod strain_control;
+mod stress;
 mod velocity_gradient;
 mod wall;
+mod wall_friction;
 
 pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;
+pub use state::MixtureState;
 pub use wall::{Slip, Wall, WallKind};
 
 use crate::budget::{Account, Exchange};
@@ -48,6 +53,7 @@ struct BodyForce<T, const D: usize> {
 
 /// Weight of a neighbour in the velocity gradient (62), (65).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum GradientWeight {
     /// `m_j/ρ_i`: conjugate to the stress sums, so that energy closes exactly.
     #[default]
@@ -78,6 +84,7 @@ pub struct Mixture<T: Real, const D: usize, K: Kernel<T, D> = WendlandC2<T, D>, 
     viscosity: ArtificialViscosity<T>,
     diffusion: DensityDiffusion<T>,
     gradient_weight: GradientWeight,
+    strain_control: T,
     time: f64,
     exchanged: [Exchange<D>; 2],
     /// Exchange per time, at the last evaluation.
@@ -94,6 +101,8 @@ struct Scratch<T: Real, const D: usize> {
     extra: Sums<T>,
     /// The velocity viscosity sees at each wall particle \[m/s\]; empty where no wall extrapolates.
     wall_velocity: Vec<Vector<T, D>>,
+    /// ∇v by rows \[1/s\]; empty without strain control.
+    velocity_gradient: Vec<[Vector<T, D>; D]>,
 }
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> fmt::Debug for Mixture<T, D, K, F> {
@@ -120,6 +129,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             viscosity: ArtificialViscosity { linear: T::of(0.01), quadratic: T::ONE },
             diffusion: DensityDiffusion::Hydrostatic(T::of(0.1)),
             gradient_weight: GradientWeight::default(),
+            strain_control: T::ZERO,
             time: 0.0,
             exchanged: [Exchange::default(); 2],
             exchange_rate: Exchange::default(),
@@ -192,6 +202,22 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     pub fn with_gradient_weight(mut self, weight: GradientWeight) -> Self {
         self.gradient_weight = weight;
         self
+    }
+
+    /// Viscosity of motion that the velocity gradient (62) does not see, of strength ξ \[-\]; 0, the
+    /// default, is none, 1 is as viscous as the gradient's own.
+    ///
+    /// The gradient of a velocity that alternates from particle to particle is zero, so (58) with (62)
+    /// neither damps it nor holds it at a wall: flows in which viscosity leads need the control.
+    ///
+    /// # Errors
+    /// The strength is not in [0, 2].
+    pub fn with_strain_control(mut self, strength: T) -> Result<Self, ParameterError> {
+        if !(strength >= T::ZERO && strength <= T::of(2.0)) {
+            return Err(ParameterError::new("strain_control", strength, "from 0 to 2"));
+        }
+        self.strain_control = strength;
+        Ok(self)
     }
 
     /// Another neighbour search; results do not depend on it.
@@ -292,6 +318,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Evolve<T> for Mix
         self.find_stress(); // (62), (14), (15)
         self.sum_own_pairs(); // (52), (58)
         self.add_renormalised_diffusion(); // (52), second sum, in the form of Antuono et al.
+        self.add_strain_control();
         self.add_body_forces();
         self.check_rates()
     }

@@ -5,6 +5,7 @@ use crate::real::{Num, Real};
 
 /// Monaghan's artificial viscosity (59)–(61).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ArtificialViscosity<T> {
     /// η₁ \[-\], linear: damps oscillations; acts like a viscosity of about `η₁ h c/8` in 2D, `/10` in 3D.
     pub linear: T,

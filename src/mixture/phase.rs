@@ -3,12 +3,21 @@
 use super::wall::{Slip, Wall, WallKind};
 use crate::error::ParameterError;
 use crate::material::{Material, Memory};
+use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::{SymTensor, Vector};
 use crate::time::Moment;
 
 /// The fields an integrator advances, at one instant.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, M: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
 pub(crate) struct Fields<T: Real, const D: usize, M> {
     pub(crate) velocity: Vec<Vector<T, D>>,
     /// ρ/ρ̃₀ − φ: the partial density beyond its reference; kept instead of ρ so that `f32` does not
@@ -18,12 +27,34 @@ pub(crate) struct Fields<T: Real, const D: usize, M> {
 }
 
 /// Rates of change at the whole step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, M: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
 pub(crate) struct Rates<T: Real, const D: usize, M> {
     /// \[m/s²\]; for wall particles what they would feel, kept as the reaction.
     pub(crate) acceleration: Vec<Vector<T, D>>,
     pub(crate) excess: Vec<T>,
     pub(crate) memory: Vec<M>,
+}
+
+impl<T: Real, const D: usize, M> Fields<T, D, M> {
+    /// Particles in every array; the smallest number where they differ.
+    pub(crate) fn len(&self) -> usize {
+        self.velocity.len().min(self.excess.len()).min(self.memory.len())
+    }
+}
+
+impl<T: Real, const D: usize, M> Rates<T, D, M> {
+    /// Particles in every array; the smallest number where they differ.
+    pub(crate) fn len(&self) -> usize {
+        self.acceleration.len().min(self.excess.len()).min(self.memory.len())
+    }
 }
 
 /// Particles of one constituent, wall particles first.
@@ -271,6 +302,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         &self.rate.acceleration
     }
 
+    /// Rate of the partial density dρ/dt \[kg/m³/s\] of particle `i` at the last evaluation; what
+    /// an extrapolated wall does not follow.
+    pub fn density_rate(&self, i: usize) -> T {
+        self.material.reference_density() * self.rate.excess[i]
+    }
+
     /// Deviatoric stress τ \[Pa\] of particle `i` at the last evaluation, positive in tension.
     pub fn deviator(&self, i: usize) -> SymTensor<T> {
         self.deviator.get(i).copied().unwrap_or_default()
@@ -371,8 +408,14 @@ fn splice<X>(array: &mut Vec<X>, at: usize, new: impl IntoIterator<Item = X>) {
     array.splice(at..at, new);
 }
 
-fn permute<X: Copy>(array: &mut Vec<X>, order: &[u32]) {
+fn permute<X: Copy + Send + Sync>(array: &mut Vec<X>, order: &[u32]) {
     if size_of::<X>() > 0 {
-        *array = order.iter().map(|&i| array[i as usize]).collect();
+        let mut sorted = array.clone();
+        parallel::for_each_part(&mut sorted, 1, CHUNK, &|first, part: &mut [X]| {
+            for (x, &i) in part.iter_mut().zip(&order[first..]) {
+                *x = array[i as usize];
+            }
+        });
+        *array = sorted;
     }
 }

@@ -1,9 +1,13 @@
 //! Density diffusion with the renormalised density gradient (Antuono et al. 2010).
 
+use super::evaluation::vector_sum;
+use super::{DensityDiffusion, Mixture};
 use crate::kernel::Kernel;
+use crate::material::Material;
+use crate::parallel::{self, CHUNK};
 use crate::real::{Num, Real};
 use crate::space::Vector;
-use crate::summation::{MOST, PairFormula, Record, add_vector, number, vector};
+use crate::summation::{MOST, PairFormula, Record, Sums, add_vector, number, vector};
 
 /// First pass: `Σ V_j (e_j − e_i) ∇W` (numbers `0..D`) and `Σ V_j (x_j − x_i)⊗∇W` (then, `D + αD + β`);
 /// record: x, volume, e.
@@ -74,4 +78,65 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for RenormalisedDi
         let unexplained = i.compression - j.compression - explained;
         sums[0] += j.volume * self.kernel.slope(x.norm2()) * unexplained;
     }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+    /// The diffusive sum of (52) with the renormalised density gradient.
+    pub(super) fn add_renormalised_diffusion(&mut self) {
+        if !matches!(self.diffusion, DensityDiffusion::Renormalised(_)) {
+            return;
+        }
+        let gradients = self.compression_gradients();
+        let water = &self.water;
+        self.neighbourhood.pack::<RenormalisedDiffusion<K, D>>(
+            &water.position,
+            &mut self.scratch.records,
+            &[T::ZERO, T::ZERO],
+            &|i, record: &mut [T]| {
+                record[0] = water.volume(i);
+                record[1] = water.compression(i);
+                record[2..2 + D].copy_from_slice(&gradients[i].0);
+            },
+        );
+        let formula = RenormalisedDiffusion::<K, D> { kernel: self.kernel.clone() };
+        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
+        let factor = self.diffusivity();
+        for (i, rate) in self.water.rate.excess.iter_mut().enumerate() {
+            *rate += factor * self.water.volume_fraction[i] * self.scratch.extra.get(i, 0);
+        }
+    }
+
+    /// The renormalised gradient of the compression at every particle \[1/m\].
+    fn compression_gradients(&mut self) -> Vec<Vector<T, D>> {
+        let water = &self.water;
+        self.neighbourhood.pack::<CompressionGradient<K, D>>(
+            &water.position,
+            &mut self.scratch.records,
+            &[T::ZERO, T::ZERO],
+            &|i, record: &mut [T]| {
+                record[0] = water.volume(i);
+                record[1] = water.compression(i);
+            },
+        );
+        let formula = CompressionGradient::<K, D> { kernel: self.kernel.clone() };
+        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
+        let sums = &self.scratch.extra;
+        let mut gradients = vec![Vector::zero(); water.len()];
+        parallel::for_each_part(&mut gradients, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
+            for (k, gradient) in part.iter_mut().enumerate() {
+                *gradient = renormalised(sums, first + k);
+            }
+        });
+        gradients
+    }
+}
+
+/// The gradient in the sums of [`CompressionGradient`]; none where too few neighbours are there to
+/// know one, as in free flight.
+fn renormalised<T: Real, const D: usize>(sums: &Sums<T>, i: usize) -> Vector<T, D> {
+    let raw: Vector<T, D> = vector_sum(sums, i, 0);
+    let rows: [Vector<T, D>; D] = core::array::from_fn(|a| vector_sum(sums, i, D + a * D));
+    let Some(inverse) = T::inverse(&rows.map(|row| row.0)) else { return Vector::zero() };
+    let gradient = Vector(inverse.map(|row| Vector(row).dot(raw)));
+    if gradient.is_finite() { gradient } else { Vector::zero() }
 }

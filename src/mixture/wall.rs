@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 /// How a fluid moves along an extrapolated wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slip {
     /// It sticks: viscosity sees the mirrored velocity `2v_w − ⟨v⟩`.
     #[default]
@@ -18,6 +19,7 @@ pub enum Slip {
 
 /// Where the fields of wall particles come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum WallKind {
     /// They evolve like those of any particle, except position and velocity (the paper's).
     Dynamic,

@@ -5,6 +5,7 @@ use crate::lanes::{InstructionSet, Lanes, Work, dispatch};
 use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
+use core::marker::PhantomData;
 use core::ops::Range;
 
 /// Particles in one part of the list; parts are built side by side.
@@ -17,8 +18,7 @@ pub(crate) struct SlicedList<T, const D: usize> {
     parts: Vec<Part>,
     particles: usize,
     others: usize,
-    /// The points axis by axis, and a slice of padding.
-    coordinates: [Vec<T>; D],
+    precision: PhantomData<T>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -30,7 +30,7 @@ struct Part {
 
 impl<T: Real, const D: usize> Default for SlicedList<T, D> {
     fn default() -> Self {
-        Self { parts: Vec::new(), particles: 0, others: 0, coordinates: [const { Vec::new() }; D] }
+        Self { parts: Vec::new(), particles: 0, others: 0, precision: PhantomData }
     }
 }
 
@@ -54,19 +54,17 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
         }
         // A search is foreign code and may panic: the list is empty until it is complete.
         (self.particles, self.others) = (0, 0);
-        for (axis, coordinates) in self.coordinates.iter_mut().enumerate() {
-            coordinates.clear();
-            coordinates.extend(points.iter().map(|x| x[axis]));
-            // Lanes may read past the last point; what they find there is masked.
-            coordinates.resize(points.len() + T::SLICE, T::ZERO);
-        }
+        // Lanes may read past the last point; what they find there is masked.
+        let coordinates: [Vec<T>; D] = core::array::from_fn(|axis| {
+            let padding = core::iter::repeat_n(T::ZERO, T::SLICE);
+            points.iter().map(|x| x[axis]).chain(padding).collect()
+        });
         self.parts.resize_with(particles.div_ceil(PART), Part::default);
-        let coordinates = &self.coordinates;
         parallel::for_each_part(&mut self.parts, 1, 1, &|first, part: &mut [Part]| {
             let build = Build {
                 search,
                 points,
-                coordinates,
+                coordinates: &coordinates,
                 particles: first * PART..(first * PART + PART).min(particles),
                 radius2: radius * radius,
                 walls,
@@ -111,8 +109,7 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
 
     /// Bytes held.
     pub(crate) fn bytes(&self) -> usize {
-        self.parts.iter().map(|p| 4 * p.rows.capacity() + 8 * p.starts.capacity()).sum::<usize>()
-            + self.coordinates.iter().map(|c| c.capacity() * size_of::<T>()).sum::<usize>()
+        self.parts.iter().map(|p| 4 * p.rows.capacity() + 8 * p.starts.capacity()).sum()
     }
 }
 
@@ -120,6 +117,7 @@ impl<T: Real, const D: usize> SlicedList<T, D> {
 struct Build<'a, T, const D: usize> {
     search: &'a dyn NeighbourSearch<T, D>,
     points: &'a [Vector<T, D>],
+    /// The points axis by axis, and a slice of padding.
     coordinates: &'a [Vec<T>; D],
     particles: Range<usize>,
     radius2: T,
@@ -152,6 +150,9 @@ impl<T: Real, const D: usize> Work<T> for Build<'_, T, D> {
             self.part.rows.truncate(begin + rows * T::SLICE);
         }
         self.part.starts.push(self.part.rows.len());
+        // A vector that had to grow has doubled: room for an eighth more is enough.
+        let length = self.part.rows.len();
+        self.part.rows.shrink_to(length + length / 8);
     }
 }
 

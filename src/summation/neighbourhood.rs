@@ -6,6 +6,7 @@ use crate::neighbours::{Ghost, Grid, NeighbourSearch, Periodic, SlicedList, sort
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::Vector;
+use core::ops::Range;
 
 /// The neighbours of a cloud of particles within the support κh of a kernel.
 ///
@@ -77,25 +78,17 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         if self.rebuilds == 0 || positions.len() != self.particles {
             return true;
         }
-        let farthest2 = parallel::reduce(
-            positions.len(),
-            T::ZERO,
-            |range| {
-                let mut most = T::ZERO;
-                for i in range {
-                    let moved2 = (positions[i] - self.points[i]).norm2();
-                    // Written so that NaN counts as far.
-                    most = if moved2 <= most { most } else { moved2 };
-                    if !moved2.is_finite() {
-                        return T::INFINITY;
-                    }
-                }
-                most
-            },
-            |a, b| if a > b { a } else { b },
-        );
         // Two particles may approach each other. A hair early, so that rounding loses no pair.
-        farthest2 * T::of(4.0) > self.skin * self.skin * T::of(0.998)
+        let limit = self.skin * self.skin * T::of(0.998);
+        let near = |range: Range<usize>| {
+            let mut near = true;
+            for (x, start) in positions[range.clone()].iter().zip(&self.points[range]) {
+                // Written so that NaN counts as far, and without a branch.
+                near &= (*x - *start).norm2() * T::of(4.0) <= limit;
+            }
+            near
+        };
+        !parallel::reduce(positions.len(), true, near, |a, b| a && b)
     }
 
     /// The order that sorts the walls (the first `walls` positions) and the others by cell; particles
@@ -158,28 +151,27 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self.points[count..].copy_from_slice(&sorted);
     }
 
-    /// Writes the records of all particles, ghosts and the dummy, `4 · blocks` numbers each: the
-    /// position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has
-    /// `dummy`, and zeros behind it. The dummy stands where kernels vanish; choose its fields so that
+    /// Writes the records of all particles, ghosts and the dummy as formula `F` reads them: the
+    /// position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has `dummy`, and zeros behind it. The dummy stands where kernels vanish; choose its fields so that
     /// the formula stays finite there (mass zero, density one).
     ///
     /// # Panics
     /// The number of positions is not that of the last rebuild, or a record is too short.
-    pub(crate) fn pack(
+    pub(crate) fn pack<F: PairFormula<T>>(
         &self,
         positions: &[Vector<T, D>],
         records: &mut Aligned<T>,
-        blocks: usize,
         dummy: &[T],
         fields: &(impl Fn(usize, &mut [T]) + Sync),
     ) {
         assert_eq!(positions.len(), self.particles);
-        let length = 4 * blocks;
+        let length = const { 4 * F::BLOCKS };
         records.resize((self.points.len() + 1) * length);
         let (own, rest) = records.as_mut_slice().split_at_mut(self.particles * length);
         let (images, last) = rest.split_at_mut(self.ghosts.len() * length);
         parallel::for_each_part(own, length, CHUNK, &|first, part: &mut [T]| {
-            for (offset, record) in part.chunks_exact_mut(length).enumerate() {
+            // A constant length inside the loop saves every check of an index.
+            for (offset, record) in part.chunks_exact_mut(const { 4 * F::BLOCKS }).enumerate() {
                 record[..D].copy_from_slice(&positions[first + offset].0);
                 fields(first + offset, &mut record[D..]);
             }

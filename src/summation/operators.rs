@@ -107,7 +107,7 @@ impl<'a, T: Real, K: Kernel<T, D>, const D: usize> Cloud<'a, T, K, D> {
     ) -> Sums<T> {
         let (mut records, mut sums) = (Aligned::default(), Sums::default());
         // Fields of the dummy: weight and value zero.
-        self.neighbourhood.pack(self.positions, &mut records, F::BLOCKS, &[], fields);
+        self.neighbourhood.pack::<F>(self.positions, &mut records, &[], fields);
         self.neighbourhood.sum(formula, &records, &mut sums);
         sums
     }

@@ -75,6 +75,11 @@ impl<T: Real> Sums<T> {
     pub(crate) fn get(&self, i: usize, k: usize) -> T {
         self.data[(i / T::SLICE * self.count + k) * T::SLICE + i % T::SLICE]
     }
+    /// Sum number `k` of the particles of slice `s`.
+    #[inline(always)]
+    pub(crate) fn lanes(&self, s: usize, k: usize) -> &[T] {
+        &self.data[(s * self.count + k) * T::SLICE..][..T::SLICE]
+    }
     /// Bytes held.
     pub(crate) fn bytes(&self) -> usize {
         self.data.capacity() * size_of::<T>()

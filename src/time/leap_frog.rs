@@ -16,6 +16,7 @@ use crate::real::Real;
 /// Where the step changes, the kick is `½(Δt_{n−1} + Δt_n)`, and it starts from
 /// `X_{−1/2} = X₀ − ½Δt (DX/Dt)₀`; otherwise the order would fall to one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LeapFrog<T> {
     previous: Option<T>,
 }

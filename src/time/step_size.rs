@@ -6,6 +6,7 @@ use core::fmt;
 
 /// What can limit a time step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Limit {
     /// Sound: `C h/c` (73).
     Acoustic,
@@ -64,6 +65,7 @@ impl<T: Real> Limits<T> {
 
 /// How the step is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StepSize<T> {
     /// As long as the limits allow, with this Courant number in (73).
     Courant(T),

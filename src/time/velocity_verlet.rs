@@ -9,6 +9,7 @@ use crate::real::Real;
 /// predicted to the end of the step, else the method would be of first order; an undamped oscillator
 /// does not show that, a damped one does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VelocityVerlet {
     started: bool,
 }

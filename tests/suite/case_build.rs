@@ -70,7 +70,7 @@ fn a_wall_that_moves_moves() {
     let case = case(CHANNEL);
     let kernel = WendlandC2::<f32, 3>::new(case.smoothing_length() as f32).unwrap();
     let mut run = case.simulation(kernel, LeapFrog::new()).unwrap();
-    run.run_until(case.end_time, |_| core::ops::ControlFlow::<()>::Continue(())).unwrap();
+    let _ = run.run_until(case.end_time, |_| core::ops::ControlFlow::<()>::Continue(())).unwrap();
     let water = run.mixture().water();
     let places = (0..water.wall_particles()).filter(|i| water.bodies()[*i] == 1);
     let nearest = places.map(|i| water.positions()[i][0]).fold(f32::INFINITY, f32::min);
@@ -94,6 +94,6 @@ fn a_fixed_step_leaves_no_crumb_at_the_end() {
     let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).unwrap();
     let mut run = case.simulation(kernel, VelocityVerlet::new()).unwrap();
     // Ten times 1e-4 is not 1e-3 in binary.
-    run.run_until(case.end_time, |_| core::ops::ControlFlow::<()>::Continue(())).unwrap();
+    let _ = run.run_until(case.end_time, |_| core::ops::ControlFlow::<()>::Continue(())).unwrap();
     assert_eq!((run.steps(), run.last_step().limit), (10, Limit::Fixed));
 }

@@ -4,9 +4,22 @@
 mod case;
 #[cfg(feature = "case")]
 mod case_build;
+mod determinism;
+mod errata;
+mod forensics;
+mod integrators;
 mod kernels;
+mod lane_code;
 mod lattice_sums;
+mod layers;
 mod neighbours;
 mod output;
+mod outside;
 #[cfg(feature = "cli")]
 mod program;
+mod register;
+mod restart;
+mod source;
+mod tank;
+mod walls;
+mod water_law;

@@ -38,7 +38,7 @@ fn cloud(side: usize) -> Vec<Vector<f64, 2>> {
 
 fn sums(hood: &Neighbourhood<f64, 2>, x: &[Vector<f64, 2>]) -> Vec<u64> {
     let (mut records, mut sums) = (Aligned::default(), Sums::default());
-    hood.pack(x, &mut records, 1, &[0.0, 1.0], &|i, rest| {
+    hood.pack::<Cone<f64>>(x, &mut records, &[0.0, 1.0], &|i, rest| {
         rest[0] = 1.0 + i as f64;
         rest[1] = 0.0;
     });

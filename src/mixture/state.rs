@@ -1,0 +1,156 @@
+//! What a mixture has to remember to go on with the same bits.
+
+use super::Mixture;
+use super::phase::{Fields, Phase, Rates};
+use crate::budget::Exchange;
+use crate::error::ParameterError;
+use crate::kernel::Kernel;
+use crate::material::Material;
+use crate::real::Real;
+use crate::space::Vector;
+
+/// Every per-particle array of a phase.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, M: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
+pub(crate) struct PhaseState<T: Real, const D: usize, M> {
+    id: Vec<u32>,
+    body: Vec<u16>,
+    position: Vec<Vector<T, D>>,
+    mass: Vec<T>,
+    volume_fraction: Vec<T>,
+    pressure: Vec<T>,
+    now: Fields<T, D, M>,
+    half: Fields<T, D, M>,
+    rate: Rates<T, D, M>,
+    wall_acceleration: Vec<Vector<T, D>>,
+}
+
+/// The state of a [`Mixture`] between two steps, without what has to be set up again: kernel, law,
+/// walls and their motion, forces, numerics, search.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, M: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+    ))
+)]
+pub struct MixtureState<T: Real, const D: usize, M> {
+    time: f64,
+    water: PhaseState<T, D, M>,
+    /// Where the particles were when their neighbours were listed: the list follows from it.
+    listed: Vec<Vector<T, D>>,
+    exchanged: [Exchange<D>; 2],
+    exchange_rate: Exchange<D>,
+    fastest_acceleration: T,
+}
+
+impl<T: Real, const D: usize, M> MixtureState<T, D, M> {
+    /// Time \[s\].
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+}
+
+impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
+    fn state(&self) -> PhaseState<T, D, M::Memory> {
+        PhaseState {
+            id: self.id.clone(),
+            body: self.body.clone(),
+            position: self.position.clone(),
+            mass: self.mass.clone(),
+            volume_fraction: self.volume_fraction.clone(),
+            pressure: self.pressure.clone(),
+            now: self.now.clone(),
+            half: self.half.clone(),
+            rate: self.rate.clone(),
+            wall_acceleration: self.wall_acceleration.clone(),
+        }
+    }
+
+    fn restore(&mut self, state: PhaseState<T, D, M::Memory>) -> Result<(), ParameterError> {
+        let count = self.len();
+        let lengths = [
+            state.id.len(),
+            state.body.len(),
+            state.position.len(),
+            state.mass.len(),
+            state.volume_fraction.len(),
+            state.pressure.len(),
+            state.now.len(),
+            state.half.len(),
+            state.rate.len(),
+        ];
+        let walls = self.walls().len();
+        let known = state.body.iter().take(self.wall_particles()).all(|&body| usize::from(body) < walls);
+        if let Some(other) = lengths.into_iter().find(|&n| n != count) {
+            return Err(ParameterError::new("particles in the state", other, "as many as in this mixture"));
+        }
+        if state.wall_acceleration.len() != self.wall_particles() || !known {
+            let given = state.wall_acceleration.len();
+            return Err(ParameterError::new(
+                "wall particles in the state",
+                given,
+                "the walls of this mixture",
+            ));
+        }
+        self.id = state.id;
+        self.body = state.body;
+        self.position = state.position;
+        self.mass = state.mass;
+        self.volume_fraction = state.volume_fraction;
+        self.pressure = state.pressure;
+        self.now = state.now;
+        self.half = state.half;
+        self.rate = state.rate;
+        self.wall_acceleration = state.wall_acceleration;
+        Ok(())
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+    /// What it has to remember.
+    pub fn state(&self) -> MixtureState<T, D, F::Memory> {
+        let listed = self.neighbourhood.reference_positions();
+        MixtureState {
+            time: self.time,
+            water: self.water.state(),
+            listed: listed.to_vec(),
+            exchanged: self.exchanged,
+            exchange_rate: self.exchange_rate,
+            fastest_acceleration: self.fastest_acceleration,
+        }
+    }
+
+    /// Goes back to a state of a mixture set up the same way; what follows has the same bits.
+    ///
+    /// # Errors
+    /// The state is of another number of particles or walls; nothing is changed then.
+    pub fn restore(&mut self, state: MixtureState<T, D, F::Memory>) -> Result<(), ParameterError> {
+        if !state.listed.is_empty() && state.listed.len() != self.water.len() {
+            let given = state.listed.len();
+            return Err(ParameterError::new(
+                "listed particles in the state",
+                given,
+                "as many as in this mixture",
+            ));
+        }
+        self.water.restore(state.water)?;
+        if !state.listed.is_empty() {
+            self.neighbourhood.rebuild(&state.listed, self.water.wall_particles());
+        }
+        self.time = state.time;
+        self.exchanged = state.exchanged;
+        self.exchange_rate = state.exchange_rate;
+        self.fastest_acceleration = state.fastest_acceleration;
+        Ok(())
+    }
+}

@@ -1,0 +1,7 @@
+//! What another crate can add through the public interface alone: a kernel, a search, an integrator
+//! and a law, each checked for what it has to do. `docs/extending.md` tells the same as recipes.
+
+mod integrator;
+mod kernel;
+mod law;
+mod search;

@@ -1,0 +1,184 @@
+//! The paper's water dam break against published measurements (Figs. 3, 5).
+
+use crate::dam_run::{Closing, HEAVY, LIGHT, Record, THIN, UNBOOKED, UNDAMPED, published as curve, record};
+use alluvium::Preset;
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study, fit_order};
+
+const MARTIN_MOYCE: &str = include_str!("data/martin_moyce_1952_n2eq2_front.csv");
+const KOSHIZUKA: &str = include_str!("data/koshizuka_oka_1996_experiment.csv");
+const MPS: &str = include_str!("data/koshizuka_oka_1996_mps.csv");
+
+const SOURCE: &str =
+    "acceptance values of an independent program; published measurements in verification/data";
+const COARSE: f64 = 0.005;
+const MIDDLE: f64 = 0.0025;
+const FINE: f64 = 0.00125;
+
+pub fn studies() -> Vec<Study> {
+    let mut studies = Vec::new();
+    for (spacing, level) in [(MIDDLE, Level::Quick), (FINE, Level::Full)] {
+        for preset in [Preset::Paper, Preset::Default] {
+            studies.push(front(preset, spacing, level));
+            studies.push(published(preset, spacing, level));
+        }
+        studies.push(noise(spacing, level));
+        studies.push(tightness(spacing, level));
+    }
+    studies.push(closure("dynamic walls, Courant number 0.2", closing::DYNAMIC, 1e-4));
+    studies.push(closure("extrapolated walls, Courant number 0.05", closing::EXTRAPOLATED, 1e-4));
+    studies.push(closure("the paper's preset with (70), Courant number 0.1", closing::PAPER, 2e-3));
+    studies.extend([Preset::Paper, Preset::Default].map(resolution));
+    studies.push(precision());
+    studies.extend([Preset::Paper, Preset::Default].map(convergence));
+    studies
+}
+
+fn name(what: &str, preset: Preset, spacing: f64) -> String {
+    let preset = if preset == Preset::Paper { "paper" } else { "default" };
+    format!("dam-break/{what}/{preset}/{spacing}")
+}
+
+/// Values are distances from the middle of each band in half widths.
+fn front(preset: Preset, spacing: f64, level: Level) -> Study {
+    let claim = "the leading edge is where an independent program has it: X(1.5) in 1.98–2.08, \
+                 X(2.0) in 2.56–2.70, X(2.5) in 3.20–3.38 (values: half widths from the middle)";
+    Study::new(name("front", preset, spacing), claim, move |conditions| {
+        let record = record::<f64>(preset, spacing, 0.2, conditions);
+        let bands = [(1.5, 1.98, 2.08), (2.0, 2.56, 2.70), (2.5, 3.20, 3.38)];
+        let at = |time: f64| record.front.at(time).unwrap_or(f64::NAN);
+        let note = bands.map(|(time, ..)| format!("X({time}) = {:.3}", at(time))).join(", ");
+        let values = bands.map(|(time, low, high)| {
+            (format!("T = {time}"), (at(time) - 0.5 * (low + high)) / (0.5 * (high - low)))
+        });
+        Measured::values(values).note(note)
+    })
+    .equations(&["16", "52", "58", "71", "72", "74"])
+    .source(SOURCE)
+    .level(level)
+    .expect(Expected::Bound { largest: 1.0 })
+    .mutant(LIGHT)
+}
+
+fn published(preset: Preset, spacing: f64, level: Level) -> Study {
+    let claim = "the leading edge stays inside the published data for 1 < T < 2.9, widened by 0.05, and after \
+                 one time shift within 0.2 rms of Martin & Moyce (values: excess over the envelope; rms/0.2)";
+    Study::new(name("published", preset, spacing), claim, move |conditions| {
+        let record = record::<f64>(preset, spacing, 0.215, conditions);
+        let (martin, koshizuka, mps) = (curve(MARTIN_MOYCE), curve(KOSHIZUKA), curve(MPS));
+        let mut outside: f64 = 0.0;
+        for &(time, x) in record.front.points().iter().filter(|p| p.0 > 1.0 && p.0 < 2.9) {
+            let (Some(a), Some(b), Some(high)) = (martin.at(time), koshizuka.at(time), mps.at(time)) else {
+                continue;
+            };
+            let low = a.min(b) - 0.05;
+            outside = outside.max(low - x).max(x - high - 0.05);
+        }
+        let (shift, rms) = record.front.best_shift(&martin);
+        // Any excess at all is beyond the bar of one.
+        let excess = if outside > 0.0 { 1.0 + outside } else { 0.0 };
+        Measured::values([("envelope", excess), ("rms", rms / 0.2)])
+            .note(format!("rms {rms:.3} after a shift of {shift:.3}; outside the envelope by {outside:.3}"))
+    })
+    .equations(&["16", "52", "58"])
+    .source(SOURCE)
+    .level(level)
+    .expect(Expected::Bound { largest: 1.0 })
+    .mutant(HEAVY)
+}
+
+fn noise(spacing: f64, level: Level) -> Study {
+    let claim = "pressure noise in the bulk at t = 0.1 and 0.2 s is below 3 % of ρgH";
+    Study::new(name("noise", Preset::Default, spacing), claim, move |conditions| {
+        let record = record::<f64>(Preset::Default, spacing, 0.2, conditions);
+        Measured::values([0.1, 0.2].into_iter().zip(&record.noise).map(|(t, &p)| (format!("t = {t} s"), p)))
+    })
+    .equations(&["52", "54", "59"])
+    .source(SOURCE)
+    .level(level)
+    .expect(Expected::Bound { largest: 0.03 })
+    .mutant(UNDAMPED)
+}
+
+fn tightness(spacing: f64, level: Level) -> Study {
+    let claim = "extrapolated walls neither leak nor hold particles back (values: how many)";
+    Study::new(name("walls", Preset::Default, spacing), claim, move |conditions| {
+        let record = record::<f64>(Preset::Default, spacing, 0.2, conditions);
+        Measured::values([("leaked", record.leaked as f64), ("stuck", record.stuck as f64)])
+    })
+    .source("a wall is a wall")
+    .level(level)
+    .mutant(THIN)
+}
+
+/// What the ledger is followed through.
+mod closing {
+    use crate::dam_run::Closing;
+    use alluvium::Preset::{Default, Paper};
+
+    pub const DYNAMIC: Closing = Closing { preset: Default, dynamic: true, courant: 0.2 };
+    /// Spray holds together in spinning pairs under suction; at 0.2 leap-frog makes such a pair grow,
+    /// and closure is 1.6e-3 at the end.
+    pub const EXTRAPOLATED: Closing = Closing { preset: Default, dynamic: false, courant: 0.05 };
+    /// At the preset's own 0.3, closure is 0.12 at the end: leap-frog is beyond its stability.
+    pub const PAPER: Closing = Closing { preset: Paper, dynamic: true, courant: 0.1 };
+}
+
+fn closure(what: &str, closing: Closing, largest: f64) -> Study {
+    let claim = "energy closes to t = 0.5 s, all accounts booked, relative to the initial potential energy";
+    Study::new(format!("dam-break/closure/{what}"), claim, move |conditions| {
+        Measured::value(closing.run(COARSE, conditions).closure)
+    })
+    .equations(&["52", "58", "59", "70", "71"])
+    .source("conservation of energy")
+    .expect(Expected::Bound { largest })
+    .mutant(UNBOOKED)
+}
+
+fn resolution(preset: Preset) -> Study {
+    let claim = "the leading edge at Δx = 0.00125 m is within 1 % of the one at 0.0025 m";
+    Study::new(name("resolution", preset, FINE), claim, move |conditions| {
+        let coarse = record::<f64>(preset, MIDDLE, 0.2, conditions);
+        let fine = record::<f64>(preset, FINE, 0.2, conditions);
+        compare(&coarse, &fine)
+    })
+    .source(SOURCE)
+    .level(Level::Full)
+    .expect(Expected::Bound { largest: 0.01 })
+}
+
+fn precision() -> Study {
+    let claim = "the leading edge in f32 is within 0.5 % of the one in f64";
+    Study::new("dam-break/precision/0.0025", claim, move |conditions| {
+        let double = record::<f64>(Preset::Default, MIDDLE, 0.2, &Conditions::default());
+        let single = record::<f32>(Preset::Default, MIDDLE, 0.2, conditions);
+        compare(&single, &double)
+    })
+    .source(SOURCE)
+    .expect(Expected::Bound { largest: 0.005 })
+    .mutant(LIGHT)
+}
+
+fn compare(one: &Record, other: &Record) -> Measured {
+    Measured::values([1.5, 2.0, 2.5].map(|time| {
+        let at = |record: &Record| record.front.at(time).unwrap_or(f64::NAN);
+        (format!("T = {time}"), at(one) / at(other) - 1.0)
+    }))
+}
+
+fn convergence(preset: Preset) -> Study {
+    let claim = "the horizontal velocity at t = 0.2 s converges to a finite-volume solution (78) with an order \
+                 between 0 and 1 (Fig. 5)";
+    Study::new(name("convergence", preset, FINE), claim, move |conditions| {
+        let spacings = [0.01, COARSE, MIDDLE, FINE];
+        let records = spacings.map(|spacing| record::<f64>(preset, spacing, 0.2, conditions));
+        let points: Vec<_> = spacings.iter().zip(&records).map(|(&h, record)| (h, record.error)).collect();
+        let fitted = fit_order(&points).map_or(f64::NAN, |fit| fit.order);
+        let left_out = records.map(|record| record.left_out.to_string()).join(", ");
+        Measured::errors(points).note(format!("fitted order {fitted:.2}; left out {left_out} particles"))
+    })
+    .equations(&["78"])
+    .source("an interFoam solution on 320 × 192 cells, in verification/data; the paper's Fig. 5")
+    .level(Level::Full)
+    .expect(Expected::Order { at_least: 0.0, at_most: 1.0 })
+    .mutant(LIGHT)
+}

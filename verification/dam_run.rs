@@ -1,0 +1,157 @@
+//! Runs of the dam break, each done once and shared by the studies that read it.
+
+use crate::scene::Tank;
+use alluvium::budget::Account;
+use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture, Wall};
+use alluvium::output::Table;
+use alluvium::parallel::Threads;
+use alluvium::simulation::Simulation;
+use alluvium::time::{LeapFrog, StepSize};
+use alluvium::verify::Conditions;
+use alluvium::verify::dam_break::{self, Curve, Reference};
+use alluvium::{Preset, Real, Vector};
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+pub const LIGHT: &str = "gravity of 8 m/s²";
+pub const HEAVY: &str = "gravity of 14 m/s²";
+pub const UNDAMPED: &str = "neither artificial viscosity nor density diffusion";
+pub const THIN: &str = "walls of every third particle";
+pub const UNBOOKED: &str = "artificial viscosity left out of the ledger";
+
+const VOLUME_OF_FLUID: &str = include_str!("data/dam_break_vof_u_t0.200.csv");
+/// Cell of the finite-volume solution \[m\].
+const CELL: f64 = 0.00125;
+
+/// What one run shows.
+#[derive(Clone, Debug, Default)]
+pub struct Record {
+    pub front: Curve,
+    /// Pressure noise at t = 0.1 and 0.2 s \[-\].
+    pub noise: Vec<f64>,
+    /// Largest energy closure over the initial potential energy \[-\].
+    pub closure: f64,
+    /// Most particles outside the tank, or hanging at the left wall, at t = 0.1 and 0.2 s.
+    pub leaked: usize,
+    pub stuck: usize,
+    /// L₂ error (78) at t = 0.2 s, and how many particles were left out.
+    pub error: f64,
+    pub left_out: usize,
+}
+
+type Cache = Mutex<HashMap<String, Arc<OnceLock<Record>>>>;
+
+/// The run of a preset at a spacing \[m\] to time `end` \[s\].
+pub fn record<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions) -> Record {
+    static CACHE: OnceLock<Cache> = OnceLock::new();
+    let key = format!("{} {preset:?} {spacing} {end} {:?}", T::NAME, conditions.mutant);
+    let mut cache = CACHE.get_or_init(Cache::default).lock().unwrap_or_else(PoisonError::into_inner);
+    let slot = Arc::clone(cache.entry(key).or_default());
+    drop(cache);
+    slot.get_or_init(|| run::<T>(preset, spacing, end, conditions)).clone()
+}
+
+fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions) -> Record {
+    let scene = Tank::dam_break(spacing, preset);
+    let mixture =
+        mutated(scene.mixture_without(preset.wall(), &|k| conditions.is(THIN) && k % 3 != 0), conditions);
+    let step_size = StepSize::courant(T::of(preset.courant())).expect("the preset's");
+    let run = Simulation::new(mixture, LeapFrog::new(), step_size)
+        .with_reinitialisation(preset.reinitialise_every());
+    // One thread each: the harness runs studies side by side.
+    Threads::new(1).expect("a thread").install(|| watch(run, end, conditions))
+}
+
+/// A run whose ledger is looked at.
+#[derive(Clone, Copy, Debug)]
+pub struct Closing {
+    pub preset: Preset,
+    /// Dynamic walls, whatever the preset has.
+    pub dynamic: bool,
+    pub courant: f64,
+}
+
+impl Closing {
+    pub fn run(self, spacing: f64, conditions: &Conditions) -> Record {
+        let wall = if self.dynamic { Wall::dynamic() } else { self.preset.wall() };
+        let mixture = Tank::dam_break(spacing, self.preset).mixture::<f64>(wall);
+        let step_size = StepSize::courant(self.courant).expect("up to one");
+        let run = Simulation::new(mixture, LeapFrog::new(), step_size)
+            .with_reinitialisation(self.preset.reinitialise_every());
+        Threads::new(1).expect("a thread").install(|| watch(run, 0.5, conditions))
+    }
+}
+
+fn mutated<T: Real>(mixture: Mixture<T, 2>, conditions: &Conditions) -> Mixture<T, 2> {
+    if conditions.is(LIGHT) {
+        return mixture.with_gravity(Vector::of([0.0, -8.0]));
+    }
+    if conditions.is(HEAVY) {
+        return mixture.with_gravity(Vector::of([0.0, -14.0]));
+    }
+    if conditions.is(UNDAMPED) {
+        let none = ArtificialViscosity { linear: T::ZERO, quadratic: T::ZERO };
+        return mixture
+            .with_artificial_viscosity(none)
+            .and_then(|mixture| mixture.with_density_diffusion(DensityDiffusion::None))
+            .expect("in range");
+    }
+    mixture
+}
+
+fn watch<T: Real>(mut run: Simulation<T, 2>, end: f64, conditions: &Conditions) -> Record {
+    let mut record = Record::default();
+    let mut start = None;
+    for stop in [0.1, 0.2, end].into_iter().filter(|&stop| stop <= end) {
+        let outcome = run.run_until(stop, |run| {
+            let start = *start.get_or_insert_with(|| run.budget());
+            if run.steps() % 20 == 0 || run.time() == stop {
+                record.front.push(dam_break::dimensionless_time(run.time()), dam_break::front(run.mixture()));
+                let mut now = run.budget();
+                if conditions.is(UNBOOKED) {
+                    now.taken[Account::ArtificialViscosity] = 0.0;
+                }
+                record.closure = record.closure.max((now.closure(&start) / start.potential).abs());
+            }
+            ControlFlow::Continue(())
+        });
+        if outcome.is_err() {
+            return Record {
+                closure: f64::INFINITY,
+                noise: vec![f64::INFINITY; 2],
+                error: f64::INFINITY,
+                ..record
+            };
+        }
+        if stop < 0.21 && record.noise.len() < 2 {
+            look(&run, &mut record);
+        }
+    }
+    record
+}
+
+fn look<T: Real>(run: &Simulation<T, 2>, record: &mut Record) {
+    record.noise.push(dam_break::pressure_noise(run.mixture()).0);
+    record.leaked = record.leaked.max(dam_break::leaked(run.mixture()));
+    record.stuck = record.stuck.max(dam_break::stuck(run.mixture()));
+    let error = reference().velocity_error(run.mixture());
+    (record.error, record.left_out) = (error.l2, error.left_out);
+}
+
+fn reference() -> &'static Reference {
+    static REFERENCE: OnceLock<Reference> = OnceLock::new();
+    REFERENCE.get_or_init(|| {
+        let table = Table::parse(VOLUME_OF_FLUID).expect("a sound table");
+        let column = |name| table.column(name).expect("a column of numbers");
+        let (x, y, u, v) = (column("x"), column("y"), column("ux"), column("uy"));
+        Reference::new((0..x.len()).map(|k| [x[k], y[k], u[k], v[k]]), CELL)
+    })
+}
+
+/// A published curve: two columns, time and position.
+pub fn published(text: &str) -> Curve {
+    let table = Table::parse(text).expect("a sound table");
+    let column = |k: usize| table.column(&table.columns()[k]).expect("a column of numbers");
+    Curve::new(column(0).into_iter().zip(column(1)).collect())
+}
