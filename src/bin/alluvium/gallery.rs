@@ -53,8 +53,22 @@ impl<'a> Gallery<'a> {
             caption: format!("t = {time:.3} s"),
             layers: if flat { vec![layer(view.water.iter(), of)] } else { self.layers(view, of) },
             walls: if flat { view.walls.iter().map(|x| [x[0], x[1]]).collect() } else { Vec::new() },
+            lines: self.edges(),
         };
         Some(picture.svg(&self.views.iter().map(panel).collect::<Vec<_>>()))
+    }
+
+    /// The edges of a tank of three dimensions.
+    fn edges(&self) -> Vec<([f64; 2], [f64; 2])> {
+        let Some(tank) = self.case.tank.as_ref().filter(|_| self.case.dimension == 3) else {
+            return Vec::new();
+        };
+        // Bit k of a corner's number says whether it is high along axis k.
+        let corner = |n: usize| {
+            projected(core::array::from_fn(|k| if n >> k & 1 == 1 { tank.high[k] } else { tank.low[k] }))
+        };
+        let from = |n: usize| (0..3).filter(move |k| n >> k & 1 == 0).map(move |k| (n, n | 1 << k));
+        (0..8).flat_map(from).map(|(a, b)| (corner(a), corner(b))).collect()
     }
 
     /// Slices of one spacing across z, the farthest first.
@@ -92,6 +106,10 @@ impl<'a> Gallery<'a> {
 }
 
 fn layer<'s>(seen: impl Iterator<Item = &'s Seen>, of: impl Fn(&Seen) -> f64) -> Vec<([f64; 2], f64)> {
-    seen.map(|seen| (core::array::from_fn(|k| seen.place[k] - OBLIQUE[k] * seen.place[2]), of(seen)))
-        .collect()
+    seen.map(|seen| (projected(seen.place), of(seen))).collect()
+}
+
+/// Where a place appears; in two dimensions z is 0.
+fn projected(place: [f64; 3]) -> [f64; 2] {
+    core::array::from_fn(|k| place[k] - OBLIQUE[k] * place[2])
 }

@@ -21,6 +21,8 @@ pub struct Panel {
     pub layers: Vec<Vec<([f64; 2], f64)>>,
     /// Where wall particles are.
     pub walls: Vec<[f64; 2]>,
+    /// Lines behind the particles, from one place to another.
+    pub lines: Vec<([f64; 2], [f64; 2])>,
 }
 
 /// A picture of one or more instants.
@@ -70,6 +72,10 @@ impl ParticlePicture<'_> {
         let x = Scale::linear((low[0], high[0]), (at.0, at.0 + size.0));
         let y = Scale::linear((low[1], high[1]), (at.1 + size.1, at.1));
         canvas.rectangle(at, size, "#fafafa", "");
+        for (from, to) in &panel.lines {
+            let at = |p: &[f64; 2]| (x.place(p[0]), y.place(p[1]));
+            canvas.line(at(from), at(to), Stroke { colour: "#999", width: 1.0, dash: "" });
+        }
         self.dots(canvas, panel, x, y);
         canvas.rectangle(at, size, "none", "#222");
         canvas.text((at.0, at.1 - 9.0), 14.0, Anchor::Start, &panel.caption);

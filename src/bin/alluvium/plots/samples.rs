@@ -23,7 +23,12 @@ fn slump(time: f64) -> Panel {
         (0..cells(surface(x))).map(move |j| ([x, place(j)], 9.81 * (surface(x) - place(j))))
     });
     let floor = (0..330).flat_map(|i| (1..4).map(move |j| [place(i) - 0.005, -place(j - 1)]));
-    Panel { caption: format!("t = {time:.2} s"), layers: vec![water.collect()], walls: floor.collect() }
+    Panel {
+        caption: format!("t = {time:.2} s"),
+        layers: vec![water.collect()],
+        walls: floor.collect(),
+        lines: Vec::new(),
+    }
 }
 
 #[test]

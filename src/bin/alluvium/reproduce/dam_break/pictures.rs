@@ -66,6 +66,7 @@ pub fn particles(views: &[(f64, View)], spacing: f64) -> String {
         caption: format!("t = {time:.2} s, T = {:.2}", dimensionless_time(*time)),
         layers: vec![view.water.iter().map(|seen| (flat(&seen.place), seen.pressure * 1e-3)).collect()],
         walls: view.walls.iter().map(flat).collect(),
+        lines: Vec::new(),
     };
     let shown = views.iter().filter(|(time, _)| *time > 0.04 && *time < 0.35);
     picture.svg(&shown.map(panel).collect::<Vec<_>>())
