@@ -85,7 +85,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
         self.step_at_most(f64::INFINITY)
     }
 
-    /// One step of at most `longest` \[s\].
+    /// One step of at most `longest` \[s\]; none if that is not positive.
     ///
     /// # Errors
     /// As for [`step`](Self::step).
@@ -97,6 +97,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
             self.refuse_too_long(dt, &limits)?;
         }
         let longest = T::of(longest);
+        if longest.partial_cmp(&T::ZERO) != Some(core::cmp::Ordering::Greater) {
+            return Ok(Step { length: 0.0, limit: Limit::End });
+        }
         if dt > longest * T::of(1.0 - CRUMB) {
             limit = if dt > longest * T::of(1.0 + CRUMB) { Limit::End } else { limit };
             dt = longest;
@@ -135,7 +138,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
         Ok(())
     }
 
-    /// Steps until time `end` \[s\], exactly, or until the onlooker breaks; it is called before the
+    /// Steps until time `end` \[s\], but for rounding, or until the onlooker breaks; it is called before the
     /// first step and after each.
     ///
     /// # Errors
@@ -147,9 +150,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
     ) -> Result<ControlFlow<()>, StepError> {
         self.start()?;
         let mut flow = onlooker(self);
-        // Closer than a rounding of the time is there.
-        let near = 1e-12 * end.abs().max(1e-12);
-        while flow.is_continue() && self.mixture.time() < end - near {
+        // Closer than a rounding of the time, or of the last step, is there.
+        let rounding = 1e-12 * end.abs().max(1e-12);
+        let near = |step: Step| rounding.max(2.0 * T::EPSILON.as_f64() * step.length);
+        while flow.is_continue() && self.mixture.time() < end - near(self.last) {
             self.step_at_most(end - self.mixture.time())?;
             flow = onlooker(self);
         }

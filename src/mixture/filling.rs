@@ -82,10 +82,9 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             splice(&mut fields.excess, at, new_excess.iter().copied());
             splice(&mut fields.memory, at, vec![M::Memory::default(); count]);
         }
-        let total = self.len();
-        self.rate.acceleration.resize(total, Vector::zero());
-        self.rate.excess.resize(total, T::ZERO);
-        self.rate.memory.resize(total, M::Memory::default());
+        splice(&mut self.rate.acceleration, at, vec![Vector::zero(); count]);
+        splice(&mut self.rate.excess, at, vec![T::ZERO; count]);
+        splice(&mut self.rate.memory, at, vec![M::Memory::default(); count]);
         Ok(())
     }
 
@@ -94,6 +93,16 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         for i in self.wall_particles..self.len() {
             self.now.velocity[i] = velocity(&self.position[i]);
             self.half.velocity[i] = self.now.velocity[i];
+        }
+    }
+
+    /// Adds `change(x)` \[m/s\] to the velocity of every particle that is not a wall, at any time of a
+    /// run.
+    pub fn add_velocity(&mut self, change: impl Fn(&Vector<T, D>) -> Vector<T, D>) {
+        for i in self.wall_particles..self.len() {
+            let change = change(&self.position[i]);
+            self.now.velocity[i] += change;
+            self.half.velocity[i] += change;
         }
     }
 

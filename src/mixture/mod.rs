@@ -146,7 +146,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     }
 
     /// A body force per mass, `acceleration(x, t)` \[m/s²\], beside gravity; its work is booked as
-    /// external.
+    /// external. Extrapolated walls and hydrostatic diffusion know gravity alone: use
+    /// [`with_gravity`](Self::with_gravity) for what presses the water against a wall.
     pub fn with_force(
         mut self,
         acceleration: impl Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync + 'static,
@@ -155,7 +156,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         self
     }
 
-    /// A body force per mass with the potential `potential(x, t)` \[J/kg\] it derives from.
+    /// A body force per mass with the potential `potential(x, t)` \[J/kg\] it derives from. The ledger
+    /// closes if the potential does not change in time.
     pub fn with_conservative_force(
         mut self,
         acceleration: impl Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync + 'static,
@@ -231,7 +233,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         self
     }
 
-    /// Lists neighbours this much beyond the support \[m\]; a matter of speed alone.
+    /// Lists neighbours this much beyond the support \[m\]: a matter of speed, and of the moments at which
+    /// particles are re-sorted.
     pub fn with_skin(mut self, skin: T) -> Self {
         self.neighbourhood = self.neighbourhood.with_skin(skin);
         self

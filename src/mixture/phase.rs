@@ -174,7 +174,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         &self.now.velocity
     }
 
-    /// Velocities \[m/s\], to change them from outside.
+    /// Velocities \[m/s\], to change them before the start. In the middle of a run leap-frog goes on from
+    /// the velocities of the half step: use [`add_velocity`](Self::add_velocity) there.
     pub fn velocities_mut(&mut self) -> &mut [Vector<T, D>] {
         &mut self.now.velocity
     }
@@ -277,6 +278,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         permute(&mut self.mass, order);
         permute(&mut self.volume_fraction, order);
         permute(&mut self.pressure, order);
+        permute(&mut self.rate.acceleration, order);
+        permute(&mut self.rate.excess, order);
+        permute(&mut self.rate.memory, order);
+        if self.deviator.len() == order.len() {
+            permute(&mut self.deviator, order);
+        }
         permute(&mut self.wall_acceleration, &order[..self.wall_particles]);
         for fields in [&mut self.now, &mut self.half] {
             permute(&mut fields.velocity, order);

@@ -58,12 +58,14 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
     /// pairs to look at; what is not positive and finite means no skin.
     pub fn with_skin(mut self, skin: T) -> Self {
         self.skin = if skin > T::ZERO && skin.is_finite() { skin } else { T::ZERO };
+        self.rebuilds = 0; // a list with another skin serves no more
         self
     }
 
     /// Lets space repeat itself.
     pub fn with_periodic(mut self, periodic: Periodic<T, D>) -> Self {
         self.periodic = periodic;
+        self.rebuilds = 0;
         self
     }
 
@@ -171,6 +173,16 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
     ) {
         assert_eq!(positions.len(), self.particles);
         let place = self.periodic.wrap(*place);
+        // The list bears that all particles move on together, but the search is asked for a place.
+        if !staleness::have_stayed(positions, &self.points, self.skin) {
+            for (j, x) in positions.iter().enumerate() {
+                let away = self.periodic.difference(place, *x);
+                if away.norm2() < self.support * self.support {
+                    visit(j, away, away.norm2());
+                }
+            }
+            return;
+        }
         let everything = 0..self.points.len() as u32;
         let (mut raw, mut ranges) = (Vec::new(), Vec::new());
         sorted_candidates(&*self.search, &place, std::slice::from_ref(&everything), &mut raw, &mut ranges);

@@ -7,6 +7,7 @@ mod case_build;
 mod determinism;
 mod errata;
 mod forensics;
+mod from_outside;
 mod integrators;
 mod kernels;
 mod lane_code;

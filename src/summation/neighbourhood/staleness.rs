@@ -28,6 +28,19 @@ pub(super) fn have_strayed<T: Real, const D: usize>(
     !all_near && Spread::of(positions, starts).diagonal2() > limit
 }
 
+/// Whether no particle is farther than `skin` \[m\] from where it was when it was listed.
+pub(super) fn have_stayed<T: Real, const D: usize>(
+    positions: &[Vector<T, D>],
+    starts: &[Vector<T, D>],
+    skin: T,
+) -> bool {
+    let limit = skin * skin * T::of(0.998);
+    let near = |range: Range<usize>| {
+        positions[range.clone()].iter().zip(&starts[range]).all(|(x, start)| (*x - *start).norm2() <= limit)
+    };
+    parallel::reduce(positions.len(), true, near, |a, b| a && b)
+}
+
 /// The box of all displacements: no two particles have approached by more than its diagonal. Where
 /// all flow one way, past walls at rest, that is half of twice the largest displacement.
 #[derive(Clone, Copy)]
