@@ -91,16 +91,21 @@ fn the_sum_is_that_of_the_visited_neighbours() {
 }
 
 #[test]
-fn the_list_serves_until_half_the_skin_is_walked() {
+fn the_list_serves_until_two_may_have_met() {
     let mut x = cloud(10);
     let mut hood = Neighbourhood::new(Box::<CellList<f64, 2>>::default(), 0.2);
     assert!(hood.is_stale(&x));
     hood.rebuild(&x, 0);
     assert!(!hood.is_stale(&x) && hood.is_stale(&x[1..]));
-    x[7][0] += 0.0099;
+    // The skin is 0.02: one particle may walk that far, two towards each other half as far each.
+    x[7][0] += 0.0199;
     assert!(!hood.is_stale(&x));
-    x[7][0] += 0.0002;
+    x[8][0] -= 0.0002;
     assert!(hood.is_stale(&x));
+    x[8][0] += 0.0002;
+    // All together may walk as far as they like.
+    let together: Vec<_> = x.iter().map(|x| *x + Vector([3.0, -1.0])).collect();
+    assert!(!hood.is_stale(&together));
     x[7][0] = f64::NAN;
     assert!(hood.is_stale(&x));
 }
