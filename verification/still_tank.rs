@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 const SOURCE: &str = "still water under gravity is at rest";
 const UNBALANCED: &str = "diffusion that does not know the hydrostatic state";
-const TILTED: &str = "gravity tilted by three degrees";
+const TILTED: &str = "gravity tilted by fifteen degrees";
 const DEPTH: f64 = 0.2;
 const SECONDS: f64 = 2.0;
 
@@ -46,7 +46,7 @@ fn still_water<T: Real>(scene: &Tank<2>, wall: Wall<T, 2>, conditions: &Conditio
         mixture = mixture.with_density_diffusion(plain).expect("in range");
     }
     if conditions.is(TILTED) {
-        let angle = 3_f64.to_radians();
+        let angle = 15_f64.to_radians();
         let (across, down) = (dam_break::GRAVITY * angle.sin(), dam_break::GRAVITY * angle.cos());
         mixture = mixture.with_gravity(Vector::of([across, -down]));
     }
