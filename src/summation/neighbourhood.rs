@@ -11,9 +11,9 @@ use crate::space::Vector;
 
 /// The neighbours of a cloud of particles within the support κh of a kernel.
 ///
-/// The list reaches a skin further than the support, so it stays right until some particle has moved
-/// half the skin: [`is_stale`](Self::is_stale) tells when. The first particles of the cloud may be
-/// walls: a wall particle does not list other walls.
+/// The list reaches a skin further than the support, so it stays right until two particles may have
+/// approached each other by the skin: [`is_stale`](Self::is_stale) tells when. The first particles of
+/// the cloud may be walls: a wall particle does not list other walls.
 ///
 /// Between two rebuilds positions may change, but not their number or order. Under periodicity the
 /// positions have to be inside the box when the list is rebuilt ([`Periodic::wrap`]), and leave it
@@ -75,8 +75,8 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self
     }
 
-    /// Whether the list no longer serves `positions`: their number is another, or one of them has
-    /// moved so far (or is not a number) that a pair might be missing.
+    /// Whether the list no longer serves `positions`: their number is another, or they have moved
+    /// so far against each other (or one is not a number) that a pair might be missing.
     pub fn is_stale(&self, positions: &[Vector<T, D>]) -> bool {
         if self.rebuilds == 0 || positions.len() != self.particles {
             return true;
