@@ -1,6 +1,6 @@
 //! Water: a weakly compressible Newtonian fluid (14)–(20).
 
-use super::Material;
+use super::{Loss, Material};
 use crate::error::ParameterError;
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor};
@@ -140,8 +140,8 @@ impl<T: Real> Material<T> for Water<T> {
 
     fn rate(&self, _: &Tensor<T>, (): &()) {}
 
-    fn admit(&self, (): ()) -> ((), T) {
-        ((), T::ZERO)
+    fn admit(&self, (): ()) -> ((), Loss<T>) {
+        ((), Loss::none())
     }
 
     fn kinematic_viscosity(&self) -> T {

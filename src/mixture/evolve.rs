@@ -33,7 +33,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
                     let start = base.map_or(*memory, |base| base.memory[i]);
                     let (admitted, loss) = self.material().admit(start.advanced(self.rate.memory[i], dt));
                     *memory = admitted;
-                    returned += (self.mass[i] * loss).as_f64();
+                    returned += (self.volume(i) * self.volume_fraction[i] * loss.total()).as_f64();
                 }
             }
         }

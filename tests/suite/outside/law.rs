@@ -2,7 +2,7 @@
 
 use crate::tank::Dam;
 use alluvium::kernel::WendlandC2;
-use alluvium::material::{Material, Memory, Water};
+use alluvium::material::{Loss, Material, Memory, Water};
 use alluvium::mixture::{DensityDiffusion, Mixture, Phase, Slip, Wall};
 use alluvium::neighbours::Periodic;
 use alluvium::simulation::Simulation;
@@ -48,8 +48,8 @@ impl Material<f64> for Hooke {
         SymTensor::zero()
     }
     fn rate(&self, _: &Tensor<f64>, (): &()) {}
-    fn admit(&self, (): ()) -> ((), f64) {
-        ((), 0.0)
+    fn admit(&self, (): ()) -> ((), Loss<f64>) {
+        ((), Loss::none())
     }
     fn kinematic_viscosity(&self) -> f64 {
         0.0
@@ -134,8 +134,8 @@ impl Material<f64> for Remembering {
     fn rate(&self, velocity_gradient: &Tensor<f64>, _: &Stretch) -> Stretch {
         Stretch(velocity_gradient.trace())
     }
-    fn admit(&self, memory: Stretch) -> (Stretch, f64) {
-        (memory, 0.0)
+    fn admit(&self, memory: Stretch) -> (Stretch, Loss<f64>) {
+        (memory, Loss::none())
     }
     fn kinematic_viscosity(&self) -> f64 {
         0.0
