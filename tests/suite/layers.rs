@@ -10,7 +10,7 @@ const MAY_USE: [(&str, &[&str]); 14] = [
     ("summation", &["kernel", "neighbours"]),
     ("material", &[]),
     ("time", &[]),
-    ("budget", &[]),
+    ("budget", &["material"]),
     ("mixture", METHOD),
     ("setup", METHOD),
     ("preset", &["mixture", "kernel", "material", "time"]),
