@@ -22,6 +22,8 @@ pub enum Account {
     WallExtrapolation,
     /// Body forces without potential.
     External,
+    /// Artificial stress under tension.
+    ArtificialStress,
     /// Regularisation of the soil's stress.
     Regularisation,
     /// Plastic flow.
@@ -34,7 +36,7 @@ pub enum Account {
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -42,6 +44,7 @@ impl Account {
         Self::WallWork,
         Self::WallExtrapolation,
         Self::External,
+        Self::ArtificialStress,
         Self::Regularisation,
         Self::Plastic,
         Self::ScaleBack,
@@ -58,6 +61,7 @@ impl Account {
             Self::WallWork => "wall_work",
             Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
+            Self::ArtificialStress => "artificial_stress",
             Self::Regularisation => "regularisation",
             Self::Plastic => "plastic",
             Self::ScaleBack => "scale_back",

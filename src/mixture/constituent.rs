@@ -1,7 +1,7 @@
 //! A phase and what its own equations need: who is near whom, numerics, buffers.
 
 use super::setting::Setting;
-use super::{ArtificialViscosity, DensityDiffusion, GradientWeight, Phase, StepError};
+use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Phase, StepError};
 use crate::budget::Exchange;
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -27,6 +27,7 @@ pub(super) struct Constituent<T: Real, const D: usize, M: Material<T>> {
     pub(super) diffusion: DensityDiffusion<T>,
     pub(super) gradient_weight: GradientWeight,
     pub(super) strain_control: T,
+    pub(super) artificial_stress: Option<ArtificialStress<T>>,
     /// Energy per time and force, at the last evaluation.
     pub(super) exchange_rate: Exchange<D>,
     pub(super) fastest_acceleration: T,
@@ -60,6 +61,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             diffusion,
             gradient_weight: GradientWeight::default(),
             strain_control: T::ZERO,
+            artificial_stress: None,
             exchange_rate: Exchange::default(),
             fastest_acceleration: T::ZERO,
             scratch: Scratch::default(),
@@ -79,6 +81,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         self.sum_own_pairs(setting); // (52), (58); (53), (55)
         self.add_renormalised_diffusion(setting); // (52), second sum, in the form of Antuono et al.
         self.add_strain_control(setting);
+        self.add_artificial_stress(setting);
         self.add_body_forces(setting);
         self.check_rates(setting)
     }

@@ -2,6 +2,7 @@
 //!
 //! [`Mixture::evaluate`](crate::time::Evolve::evaluate) reads as the list of equations.
 
+mod artificial_stress;
 mod checks;
 mod compressed;
 mod constituent;
@@ -28,6 +29,7 @@ mod wall;
 mod wall_friction;
 mod wall_stress;
 
+pub use artificial_stress::ArtificialStress;
 pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
 pub use momentum::ArtificialViscosity;

@@ -1,7 +1,7 @@
 //! The numerical choices of a mixture, and what acts on it from outside.
 
 use super::setting::BodyForce;
-use super::{ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture};
+use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::lanes::InstructionSet;
@@ -72,6 +72,16 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     /// The coefficient is not in [0, 1].
     pub fn with_density_diffusion(mut self, diffusion: DensityDiffusion<T>) -> Result<Self, ParameterError> {
         self.water.diffusion = diffusion.checked()?;
+        Ok(self)
+    }
+
+    /// Artificial stress in soil under tension, which only cohesion can bear (Gray, Monaghan & Swift 2001);
+    /// none by default.
+    ///
+    /// # Errors
+    /// The strength is not in \[0, 1\], the exponent not in 1 … 10, or the spacing not positive.
+    pub fn with_artificial_stress(mut self, stress: ArtificialStress<T>) -> Result<Self, ParameterError> {
+        self.soil.artificial_stress = Some(stress.checked()?);
         Ok(self)
     }
 

@@ -228,6 +228,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         &self.now.memory[i]
     }
 
+    /// How fast what the law remembers of particle `i` changes, at the last evaluation and before it is
+    /// made admissible.
+    pub fn memory_rate(&self, i: usize) -> &M::Memory {
+        &self.rate.memory[i]
+    }
+
     /// Compression ρ̃/ρ̃₀ − 1 \[-\] of particle `i`.
     #[inline(always)]
     pub fn compression(&self, i: usize) -> T {
