@@ -44,7 +44,8 @@
 //! |---|---|
 //! | [`real`], [`space`] | numbers or their SIMD lanes; vectors and tensors |
 //! | [`kernel`], [`neighbours`], [`summation`] | W and its slope; who is near whom; sums for values and derivatives |
-//! | [`material`] | laws: water |
+//! | [`material`] | laws: water; soil and its yield surfaces |
+//! | [`driver`] | a law driven along a path of strain and stress, without particles |
 //! | [`time`] | the three verbs, integrators, step size |
 //! | [`mixture`] | phases, walls, the equations of a step, forensics |
 //! | [`setup`], [`preset`] | where particles start; the paper's numerical choices and the library's |
@@ -79,6 +80,7 @@
 pub mod budget;
 #[cfg(feature = "case")]
 pub mod case;
+pub mod driver;
 pub mod error;
 pub mod kernel;
 mod lanes;

@@ -3,10 +3,22 @@
 //! A law sees one particle at a time and always three dimensions; it knows no kernel and no neighbour.
 
 mod absent;
+mod at_rest;
+mod drucker_prager;
+mod elasticity;
+mod mohr_coulomb;
+mod soil;
 mod water;
+mod yield_surface;
 
 pub use absent::Absent;
+pub use at_rest::LateralRatio;
+pub use drucker_prager::{Cone, DruckerPrager};
+pub use elasticity::Elasticity;
+pub use mohr_coulomb::MohrCoulomb;
+pub use soil::{Plasticity, Soil, SoilMemory};
 pub use water::Water;
+pub use yield_surface::{Flow, Place, Returned, Unyielding, YieldSurface};
 
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor};
