@@ -22,6 +22,8 @@ pub enum Account {
     WallExtrapolation,
     /// Body forces without potential.
     External,
+    /// Drag between soil and water (37).
+    Drag,
     /// Artificial stress under tension.
     ArtificialStress,
     /// Regularisation of the soil's stress.
@@ -36,7 +38,7 @@ pub enum Account {
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -44,6 +46,7 @@ impl Account {
         Self::WallWork,
         Self::WallExtrapolation,
         Self::External,
+        Self::Drag,
         Self::ArtificialStress,
         Self::Regularisation,
         Self::Plastic,
@@ -61,6 +64,7 @@ impl Account {
             Self::WallWork => "wall_work",
             Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
+            Self::Drag => "drag",
             Self::ArtificialStress => "artificial_stress",
             Self::Regularisation => "regularisation",
             Self::Plastic => "plastic",

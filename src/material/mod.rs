@@ -4,6 +4,7 @@
 
 mod absent;
 mod at_rest;
+mod drag;
 mod drucker_prager;
 mod elasticity;
 mod mohr_coulomb;
@@ -13,6 +14,7 @@ mod yield_surface;
 
 pub use absent::Absent;
 pub use at_rest::LateralRatio;
+pub use drag::{Conductivity, Darcy, DragLaw, NoDrag};
 pub use drucker_prager::{Cone, DruckerPrager};
 pub use elasticity::Elasticity;
 pub use mohr_coulomb::MohrCoulomb;

@@ -5,7 +5,7 @@ use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWei
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::lanes::InstructionSet;
-use crate::material::Material;
+use crate::material::{DragLaw, Material};
 use crate::neighbours::{NeighbourSearch, Periodic};
 use crate::real::Real;
 use crate::space::Vector;
@@ -39,6 +39,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     ) -> Self {
         self.setting.force =
             Some(BodyForce { acceleration: Arc::new(acceleration), potential: Some(Arc::new(potential)) });
+        self
+    }
+
+    /// Drag between soil and water (37); none by default.
+    pub fn with_drag(mut self, law: impl DragLaw<T> + 'static) -> Self {
+        self.coupling.drag = Arc::new(law);
         self
     }
 
@@ -151,6 +157,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     fn with_neighbourhoods(mut self, change: impl Fn(Neighbourhood<T, D>) -> Neighbourhood<T, D>) -> Self {
         self.soil.neighbourhood = change(self.soil.neighbourhood);
         self.water.neighbourhood = change(self.water.neighbourhood);
+        self.coupling.across.neighbourhood = change(self.coupling.across.neighbourhood);
         self
     }
 }
