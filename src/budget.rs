@@ -24,6 +24,8 @@ pub enum Account {
     External,
     /// Drag between soil and water (37).
     Drag,
+    /// Relaxation of the density to the volume sum.
+    Relaxation,
     /// Artificial stress under tension.
     ArtificialStress,
     /// Regularisation of the soil's stress.
@@ -38,7 +40,7 @@ pub enum Account {
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -47,6 +49,7 @@ impl Account {
         Self::WallExtrapolation,
         Self::External,
         Self::Drag,
+        Self::Relaxation,
         Self::ArtificialStress,
         Self::Regularisation,
         Self::Plastic,
@@ -65,6 +68,7 @@ impl Account {
             Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
             Self::Drag => "drag",
+            Self::Relaxation => "relaxation",
             Self::ArtificialStress => "artificial_stress",
             Self::Regularisation => "regularisation",
             Self::Plastic => "plastic",

@@ -28,6 +28,8 @@ pub(super) struct Constituent<T: Real, const D: usize, M: Material<T>> {
     pub(super) gradient_weight: GradientWeight,
     pub(super) strain_control: T,
     pub(super) artificial_stress: Option<ArtificialStress<T>>,
+    /// Whether the pressure of water acts on all of its space, of which the coupling takes the soil's part.
+    pub(super) shares_pressure: bool,
     /// Density of the water that bears part of each soil particle's weight \[kg/m³\]; empty without water.
     pub(super) buoyancy: Vec<T>,
     /// Energy per time and force, at the last evaluation.
@@ -64,6 +66,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             gradient_weight: GradientWeight::default(),
             strain_control: T::ZERO,
             artificial_stress: None,
+            shares_pressure: false,
             buoyancy: Vec::new(),
             exchange_rate: Exchange::default(),
             fastest_acceleration: T::ZERO,

@@ -24,6 +24,18 @@ use crate::space::Vector;
 use crate::summation::{MOST, Neighbourhood, PairFormula, Record, Sums, add_vector, number, vector};
 use std::sync::Arc;
 
+/// How the pore pressure acts between water and soil.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum CouplingForm {
+    /// By pressure differences: no force at uniform pressure, wherever the particles are.
+    #[default]
+    PressureDifference,
+    /// As printed (55), (58): by the water particle's own pressure, `−V_a w_i p_a ∇W`. Grains on a lattice
+    /// then hold water in place the harder the higher its absolute pressure.
+    Printed,
+}
+
 /// Force, drag and what the water's density feels of the soil; record: x, v, w, V, p, D, C, s, with
 /// s = 1 of water and −1 of soil, D zero of water and C zero of soil.
 struct Exchange<K, const D: usize> {
@@ -97,6 +109,7 @@ pub(super) struct DragRate<T> {
 pub(super) struct Coupling<T: Real, const D: usize> {
     pub(super) across: Across<T, D>,
     pub(super) pores: Pores<T>,
+    pub(super) form: CouplingForm,
     pub(super) drag: Arc<dyn DragLaw<T>>,
     pub(super) drag_rate: DragRate<T>,
     sums: Sums<T>,
@@ -107,6 +120,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         Self {
             across: Across::new(neighbourhood),
             pores: Pores::default(),
+            form: CouplingForm::default(),
             drag: Arc::new(NoDrag),
             drag_rate: DragRate { soil: T::ZERO, water: T::ZERO },
             sums: Sums::default(),
@@ -123,6 +137,10 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let sorted = [soil.neighbourhood.rebuilds(), water.neighbourhood.rebuilds()];
         self.across.find_neighbours(&soil.phase.position, &water.phase.position, sorted);
         self.pores.look(&mut self.across, &setting.kernel, &soil.phase, &water.phase);
+        if self.form == CouplingForm::Printed {
+            self.pores.pressure.fill(T::ZERO);
+            self.pores.compression.fill(T::ZERO);
+        }
         let density = water.phase.material().reference_density();
         soil.buoyancy.clear();
         soil.buoyancy.extend(self.pores.saturation.iter().map(|s| density * s.min(T::ONE)));

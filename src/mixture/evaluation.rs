@@ -64,14 +64,14 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
     /// Continuity (52) and the phase's own part of momentum (58).
     pub(super) fn sum_own_pairs<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
-        match (self.phase.material().needs_velocity_gradient(), self.shares_space()) {
+        match (self.phase.material().needs_velocity_gradient(), self.shares_pressure) {
             (true, false) => self.sum_own_pairs_with::<true, K>(setting),
             (false, false) => self.sum_own_pairs_with::<false, K>(setting),
             (true, true) => self.sum_shared_pairs_with::<true, K>(setting),
             (false, true) => self.sum_shared_pairs_with::<false, K>(setting),
         }
         self.collect_rates(setting);
-        if self.shares_space() {
+        if self.shares_pressure {
             self.collect_shared_rates();
         }
     }
@@ -196,7 +196,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
     }
 
-    /// Adds `ρ̃ rate` to the rate of the partial density of particle `a`, of energy conserving terms.
+    /// Adds `ρ̃ rate` to the rate of the partial density of particle `a`, by terms that conserve energy.
     pub(super) fn add_density_rate(&mut self, a: usize, rate: T) {
         let (reference, k) = (self.phase.material().reference_density(), D + sum::COMPRESSION);
         let change = self.phase.true_density(a) * rate;

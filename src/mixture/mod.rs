@@ -22,6 +22,7 @@ mod pore;
 mod probe;
 mod regularisation;
 mod reinitialisation;
+mod relaxation;
 mod renormalised;
 mod setting;
 mod shared_pairs;
@@ -36,6 +37,7 @@ mod wall_stress;
 pub use artificial_stress::ArtificialStress;
 pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
+pub use coupling::CouplingForm;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;
@@ -53,6 +55,7 @@ use crate::time::{Evolve, Limits, Moment};
 use constituent::{Constituent, Role};
 use core::fmt;
 use coupling::Coupling;
+use relaxation::Relaxation;
 use setting::Setting;
 
 /// Weight of a neighbour in the velocity gradient (62), (65).
@@ -90,6 +93,7 @@ pub struct Mixture<
     soil: Constituent<T, D, S>,
     water: Constituent<T, D, F>,
     coupling: Coupling<T, D>,
+    relaxation: Option<Relaxation<T>>,
     exchanged: [Exchange<D>; 2],
     /// Whether the water's volume fractions are those of its place.
     started: bool,
@@ -137,6 +141,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             coupling: Coupling::new(Neighbourhood::new(Box::new(CellList::default()), support)),
             soil: Constituent::new(Role::Soil, soil, support),
             water: Constituent::new(Role::Water, water, support),
+            relaxation: None,
             exchanged: [Exchange::default(); 2],
             started: false,
         }
@@ -154,6 +159,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             self.water.phase.share(&self.coupling.pores.fraction);
         }
         self.started = true;
+        self.water.shares_pressure = self.coupling.form == CouplingForm::PressureDifference;
     }
 
     /// The soil.
@@ -256,6 +262,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
         self.soil.act_on_itself(setting); // (53), (55), own part
         self.water.act_on_itself(setting); // (52), (58), own part
         self.coupling.exchange(setting, &mut self.soil, &mut self.water); // (55), (58), (69)
+        if let Some(relaxation) = self.relaxation.as_ref().filter(|_| self.water.shares_pressure) {
+            self.water.relax_density(setting, relaxation);
+        }
         self.soil.conclude(setting)?;
         self.water.conclude(setting)
     }

@@ -1,7 +1,8 @@
 //! The numerical choices of a mixture, and what acts on it from outside.
 
+use super::relaxation::{LatticeExcess, Relaxation};
 use super::setting::BodyForce;
-use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture};
+use super::{ArtificialStress, ArtificialViscosity, CouplingForm, DensityDiffusion, GradientWeight, Mixture};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::lanes::InstructionSet;
@@ -40,6 +41,26 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.setting.force =
             Some(BodyForce { acceleration: Arc::new(acceleration), potential: Some(Arc::new(potential)) });
         self
+    }
+
+    /// How pore pressure acts between soil and water; to be chosen before the first evaluation.
+    pub fn with_coupling(mut self, form: CouplingForm) -> Self {
+        self.coupling.form = form;
+        self
+    }
+
+    /// Relaxation of the density of water that shares its space to the volume its particles take, in the
+    /// time τ \[s\]; none by default, 400 h/c is usual. Acts where pressure acts by differences.
+    ///
+    /// # Errors
+    /// The time is not positive.
+    pub fn with_density_relaxation(mut self, time: T) -> Result<Self, ParameterError> {
+        if !(time > T::ZERO) {
+            return Err(ParameterError::new("density_relaxation", time, "a positive time [s]"));
+        }
+        let lattice = LatticeExcess::of::<T, D, K>(&self.setting.kernel);
+        self.relaxation = Some(Relaxation { time, lattice });
+        Ok(self)
     }
 
     /// Drag between soil and water (37); none by default.
