@@ -33,7 +33,8 @@ impl<T: Real, Y: YieldSurface<T>> Mistaken<T, Y> {
         match self.mistake {
             Mistake::Spin => Tensor(core::array::from_fn(|a| core::array::from_fn(|b| g[b][a]))),
             Mistake::Shear => {
-                let once_more = |a: usize, b: usize| if a == b { T::ZERO } else { T::of(0.5) * (g[a][b] + g[b][a]) };
+                let once_more =
+                    |a: usize, b: usize| if a == b { T::ZERO } else { T::of(0.5) * (g[a][b] + g[b][a]) };
                 Tensor(core::array::from_fn(|a| core::array::from_fn(|b| g[a][b] + once_more(a, b))))
             }
             _ => *gradient,
@@ -69,7 +70,7 @@ impl<T: Real, Y: YieldSurface<T>> Material<T> for Mistaken<T, Y> {
         let mut rate = self.soil.rate(&self.wronged(gradient), memory);
         if self.mistake == Mistake::Viscous {
             let speed = gradient.symmetric().root_j2();
-            rate.stress = rate.stress * (T::ONE + T::of(0.1) * speed);
+            rate.stress = rate.stress * (T::ONE + T::of(0.1) * speed / (T::ONE + speed));
         }
         rate
     }

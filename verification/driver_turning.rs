@@ -66,8 +66,7 @@ fn elastic<T: Real>(conditions: &Conditions) -> Mistaken<T> {
 /// The largest component of the error, in units of the largest of the stress.
 fn rotated<T: Real>(axis: &[f64; 3], angle: f64, increments: usize, conditions: &Conditions) -> f64 {
     let start = [-1700.0, -400.0, -900.0, 350.0, -120.0, 210.0];
-    let mut driver =
-        Driver::new(elastic::<T>(conditions), SoilMemory::stressed(SymTensor(start.map(T::of))));
+    let mut driver = Driver::new(elastic::<T>(conditions), SoilMemory::stressed(SymTensor(start.map(T::of))));
     let [x, y, z] = axis.map(|n| T::of(n * angle));
     let leg = Leg::strain(SymTensor::zero()).turning([-z, -x, y]);
     driver.follow(&leg, increments).expect("a rotation");
@@ -88,7 +87,10 @@ fn turned(stress: &[f64; 6], axis: &[f64; 3], angle: f64) -> [f64; 6] {
     };
     let at = |a: usize, b: usize| stress[SymTensor::<f64>::index(a, b)];
     let component = |a: usize, b: usize| -> f64 {
-        (0..3).flat_map(|c| (0..3).map(move |d| (c, d))).map(|(c, d)| rotation(a, c) * at(c, d) * rotation(b, d)).sum()
+        (0..3)
+            .flat_map(|c| (0..3).map(move |d| (c, d)))
+            .map(|(c, d)| rotation(a, c) * at(c, d) * rotation(b, d))
+            .sum()
     };
     [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)].map(|(a, b)| component(a, b))
 }

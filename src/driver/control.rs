@@ -66,24 +66,25 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
             }
         }
         let mut best: Option<(T, State<T, M::Memory>, SymTensor<T>)> = None;
-        let mut strain = *guess;
+        let (mut strain, mut correction) = (*guess, SymTensor::zero());
         for _ in 0..ITERATIONS {
             let state = self.strained(&strain, &target.turn, target.dt);
-            if !(state.memory.is_finite() && state.stress.0.iter().all(|x| x.is_finite())) {
-                break;
-            }
+            let is_finite = state.memory.is_finite() && state.stress.0.iter().all(|x| x.is_finite());
             let miss = missed(target, &state.stress);
             let size = largest(&miss);
-            if best.as_ref().is_none_or(|best| size < best.0) {
+            if is_finite && best.as_ref().is_none_or(|best| size < best.0) {
                 best = Some((size, state, strain));
+                // Rounding of a stress this large, and of the strain that makes it.
+                let rounding = T::EPSILON * (largest(&state.stress) + stiffness * largest(&strain));
+                if size <= rounding {
+                    break;
+                }
+                correction = self.correction(target, &strain, &state.stress, &miss);
+            } else {
+                correction = correction * T::of(0.5);
             }
-            // Rounding of a stress this large, and of the strain that makes it.
-            let rounding = T::EPSILON * (largest(&state.stress) + stiffness * largest(&strain));
-            if size <= rounding {
-                break;
-            }
-            match self.correction(target, &strain, &state.stress, &miss) {
-                Some(correction) => strain = strain - correction,
+            match best {
+                Some((_, _, from)) => strain = from - correction,
                 None => break,
             }
         }
@@ -102,15 +103,15 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
         self.material.reference_density() * c * c
     }
 
-    /// Newton's correction of the strain, with differences for derivatives; none if there is no
-    /// strain that changes the stress as needed.
+    /// Newton's correction of the strain, with differences for derivatives; as if elastic where no
+    /// strain changes the stress, as at an apex.
     fn correction(
         &self,
         target: &Target<T>,
         strain: &SymTensor<T>,
         stress: &SymTensor<T>,
         miss: &SymTensor<T>,
-    ) -> Option<SymTensor<T>> {
+    ) -> SymTensor<T> {
         let stiffness = self.stiffness();
         let scale = largest(strain).max(largest(miss) / stiffness);
         let step = scale.max(T::EPSILON.sqrt() * largest(stress) / stiffness) * T::EPSILON.powf(T::of(0.25));
@@ -128,14 +129,14 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
                 }
             }
         }
-        let inverse = T::inverse(&matrix)?;
+        let Some(inverse) = T::inverse(&matrix) else { return *miss * (T::ONE / stiffness) };
         let mut correction = SymTensor::zero();
         for (value, row) in correction.0.iter_mut().zip(&inverse) {
             for (&factor, &miss) in row.iter().zip(&miss.0) {
                 *value += factor * (miss / stiffness);
             }
         }
-        Some(correction)
+        correction
     }
 }
 

@@ -78,11 +78,7 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
     ///
     /// # Errors
     /// A stress asked for is not found.
-    pub fn run(
-        &mut self,
-        path: &Path<T>,
-        increments: usize,
-    ) -> Result<Vec<Row<T, M::Memory>>, DriveError> {
+    pub fn run(&mut self, path: &Path<T>, increments: usize) -> Result<Vec<Row<T, M::Memory>>, DriveError> {
         let mut rows = vec![self.row()];
         for leg in path.legs() {
             rows.extend(self.follow(&leg, increments)?);
@@ -94,11 +90,7 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
     ///
     /// # Errors
     /// A stress asked for is not found.
-    pub fn follow(
-        &mut self,
-        leg: &Leg<T>,
-        increments: usize,
-    ) -> Result<Vec<Row<T, M::Memory>>, DriveError> {
+    pub fn follow(&mut self, leg: &Leg<T>, increments: usize) -> Result<Vec<Row<T, M::Memory>>, DriveError> {
         let start = self.state.stress;
         let mut guess = SymTensor::zero();
         let mut rows = Vec::with_capacity(increments);

@@ -1,8 +1,8 @@
 //! The yield surface of Drucker and Prager (27)–(29).
 
-use super::yield_surface::{Flow, Place, Returned, YieldSurface};
 use super::Elasticity;
 use super::mohr_coulomb::{allowed_angles, allowed_cohesion};
+use super::yield_surface::{Flow, Place, Returned, YieldSurface};
 use crate::error::ParameterError;
 use crate::real::Real;
 use crate::space::SymTensor;
@@ -133,8 +133,7 @@ impl<T: Real> DruckerPrager<T> {
         if friction == T::ZERO && cohesion == T::ZERO {
             return Err(ParameterError::new("cohesion", cohesion, "positive without friction [Pa]"));
         }
-        let apex =
-            if friction > T::ZERO { cohesion / (T::of(3.0) * friction) } else { T::INFINITY };
+        let apex = if friction > T::ZERO { cohesion / (T::of(3.0) * friction) } else { T::INFINITY };
         Ok(Self { friction, dilatancy, cohesion, largest_tension: apex })
     }
 

@@ -39,8 +39,7 @@ impl<T: Real> MohrCoulomb<T> {
         allowed_angles(friction, dilatancy)?;
         allowed_cohesion(cohesion, friction)?;
         let (sin_friction, strength) = (friction.sin(), cohesion * friction.cos());
-        let largest_tension =
-            if sin_friction > T::ZERO { strength / sin_friction } else { T::INFINITY };
+        let largest_tension = if sin_friction > T::ZERO { strength / sin_friction } else { T::INFINITY };
         Ok(Self { sin_friction, sin_dilatancy: dilatancy.sin(), strength, largest_tension })
     }
 
@@ -58,7 +57,7 @@ impl<T: Real> MohrCoulomb<T> {
     /// The larger principal stress that yields with a smaller one \[Pa\].
     fn partner(&self, smaller: T) -> T {
         let s = self.sin_friction;
-        (smaller * (s - T::ONE) + T::of(2.0) * self.strength) / (T::ONE + s)
+        (smaller * (T::ONE - s) + T::of(2.0) * self.strength) / (T::ONE + s)
     }
 
     /// Principal stresses after the return to the face, or the trial's if that is not where it goes.

@@ -1,9 +1,7 @@
 //! Return mapping onto each surface, judged by what characterises it, not by the formulas it uses.
 
 use alluvium::SymTensor;
-use alluvium::material::{
-    Cone, DruckerPrager, Elasticity, Flow, MohrCoulomb, Place, Returned, YieldSurface,
-};
+use alluvium::material::{Cone, DruckerPrager, Elasticity, Flow, MohrCoulomb, Place, Returned, YieldSurface};
 use proptest::prelude::*;
 
 fn elasticity() -> Elasticity<f64> {
@@ -147,7 +145,8 @@ fn every_part_of_the_surfaces_is_met() {
     let places = [Place::Inside, Place::Face, Place::Edge, Place::Apex];
     for k in 0..4000_u32 {
         let at = |salt: f64| (f64::from(k) * salt).sin();
-        let trial = stress([at(1.1), at(2.3), at(3.7), at(0.7), at(5.1), at(4.3)], 2.0 + 1.5 * at(0.01).abs());
+        let trial =
+            stress([at(1.1), at(2.3), at(3.7), at(0.7), at(5.1), at(4.3)], 2.0 + 1.5 * at(0.01).abs());
         let place = pyramid(0.2).returned(&elasticity(), &trial).place;
         met[places.iter().position(|known| *known == place).unwrap()] += 1;
     }
@@ -157,7 +156,8 @@ fn every_part_of_the_surfaces_is_met() {
 #[test]
 fn the_pyramid_meets_the_cones_where_they_are_named_for() {
     let theta = 0.5_f64;
-    let named = [(Cone::TriaxialCompression, [-1.0, -1.0, -4.0]), (Cone::TriaxialExtension, [-4.0, -4.0, -1.0])];
+    let named =
+        [(Cone::TriaxialCompression, [-1.0, -1.0, -4.0]), (Cone::TriaxialExtension, [-4.0, -4.0, -1.0])];
     for (kind, direction) in named {
         let cone = DruckerPrager::cohesive(kind, theta, 0.0, 200.0).unwrap();
         let pyramid = MohrCoulomb::cohesive(theta, 0.0, 200.0).unwrap();

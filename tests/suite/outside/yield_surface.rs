@@ -45,7 +45,7 @@ fn fails_where_it_says() {
         let mut driver = Driver::new(law, start);
         let rows = driver.run(&Path::new(Kind::TriaxialCompression, 5e-3), 50).unwrap();
         let q = rows[50].shear_stress();
-        let exact = 0.5 * 2e6 + (0.25 * 4e12 + 3.0 * 2e6 * (1e5 + 1e6)).sqrt();
+        let exact = 0.5 * 2e6 + (0.25 * 4e12_f64 + 3.0 * 2e6 * (1e5 + 1e6)).sqrt();
         assert!((q / exact - 1.0).abs() < 1e-9, "{plasticity:?}: q = {q}, exact {exact}");
         assert!(rows[50].memory.plastic_strain.trace() > 0.0, "it dilates");
     }
