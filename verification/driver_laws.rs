@@ -149,7 +149,8 @@ impl<T: Real> YieldSurface<T> for Slipped<T> {
             return self.cone.scaled_back(trial);
         }
         let excess = self.slipped_excess(trial);
-        if !(excess > T::ZERO) {
+        let outside = excess > T::ZERO;
+        if !outside {
             return Returned::inside(*trial);
         }
         let (shear, _) = self.invariants(trial);

@@ -168,7 +168,8 @@ impl<T: Real, Y: YieldSurface<T>> Soil<T, Y> {
     #[inline(always)]
     fn plastic_rate(&self, stretch: &SymTensor<T>, stress: &SymTensor<T>) -> SymTensor<T> {
         let size = stress.root_j2() + stress.trace().abs() * T::of(1.0 / 3.0);
-        if !(self.surface.excess(stress) >= -T::of(SLACK) * size) {
+        let yields = self.surface.excess(stress) >= -T::of(SLACK) * size;
+        if !yields {
             return SymTensor::zero();
         }
         let flow = self.surface.flow(stress);

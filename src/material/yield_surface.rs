@@ -88,7 +88,8 @@ pub trait YieldSurface<T: Real>: Clone + Debug + Send + Sync + 'static {
     fn returned(&self, elasticity: &Elasticity<T>, trial: &SymTensor<T>) -> Returned<T> {
         let mut stress = *trial;
         let mut excess = self.excess(&stress);
-        if !(excess > T::ZERO) {
+        let outside = excess > T::ZERO;
+        if !outside {
             return untorn(stress, self.largest_tension());
         }
         for _ in 0..CUTS {
@@ -109,7 +110,8 @@ pub trait YieldSurface<T: Real>: Clone + Debug + Send + Sync + 'static {
     fn scaled_back(&self, stress: &SymTensor<T>) -> Returned<T> {
         let excess = self.excess(stress);
         let mean = stress.trace() * T::of(1.0 / 3.0);
-        if !(excess > T::ZERO) || mean > self.largest_tension() {
+        let sheared = excess > T::ZERO && mean <= self.largest_tension();
+        if !sheared {
             return untorn(*stress, self.largest_tension());
         }
         let isotropic = SymTensor::isotropic(mean);

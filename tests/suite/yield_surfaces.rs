@@ -122,7 +122,9 @@ impl<Y: YieldSurface<f64>> YieldSurface<f64> for Plain<Y> {
 
 fn agree<Y: YieldSurface<f64>>(surface: Y, trial: &SymTensor<f64>) -> Result<(), TestCaseError> {
     let closed = surface.returned(&elasticity(), trial);
-    prop_assume!(closed.place == Place::Face);
+    if closed.place != Place::Face {
+        return Ok(());
+    }
     let iterated = Plain(surface).returned(&elasticity(), trial);
     let apart = (closed.stress - iterated.stress).root_j2() + (closed.stress - iterated.stress).trace().abs();
     prop_assert!(apart < 1e-8 * (trial.root_j2() + 1e3), "{apart:e} Pa apart");
@@ -145,8 +147,8 @@ fn every_part_of_the_surfaces_is_met() {
     let places = [Place::Inside, Place::Face, Place::Edge, Place::Apex];
     for k in 0..4000_u32 {
         let at = |salt: f64| (f64::from(k) * salt).sin();
-        let trial =
-            stress([at(1.1), at(2.3), at(3.7), at(0.7), at(5.1), at(4.3)], 2.0 + 1.5 * at(0.01).abs());
+        let values = [at(1.1), at(2.3), at(3.7), at(0.7), at(5.1), at(4.3)];
+        let trial = stress(values, 2.0 + 1.5 * at(0.01).abs()) + SymTensor::isotropic(5e3 * at(0.3));
         let place = pyramid(0.2).returned(&elasticity(), &trial).place;
         met[places.iter().position(|known| *known == place).unwrap()] += 1;
     }
