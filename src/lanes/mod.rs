@@ -5,18 +5,9 @@
 //! loops may appear in code that runs in lanes: a closure loses the instruction set it is called for.
 //!
 //! Operators on lanes are safe, yet need instructions the processor may lack; so nobody outside can
-//! name lanes, or an instruction set that was not detected. What is refused stands below what is
-//! taken, and differs from it in the name of the lanes alone:
+//! name lanes, or an instruction set that was not detected. Each of these is refused, and stands below
+//! its twin, which is taken and differs from it in one name:
 //!
-//! ```
-//! type Narrow = <f32 as alluvium::Num>::Scalar;
-//! ```
-//! ```compile_fail,E0576
-//! type Narrow = <f32 as alluvium::Num>::Avx512;
-//! ```
-//! ```compile_fail,E0576
-//! type Wide = <f32 as alluvium::Real>::Avx512;
-//! ```
 //! ```
 //! fn narrow<T: alluvium::Real>(x: T::Scalar) {}
 //! ```
@@ -24,10 +15,13 @@
 //! fn wide<T: alluvium::Real>(x: T::Avx512) {}
 //! ```
 //! ```
-//! fn narrow<T: alluvium::Real>(x: <T as alluvium::Num>::Scalar) {}
+//! type Narrow = <f32 as alluvium::real::Num>::Scalar;
 //! ```
 //! ```compile_fail,E0576
-//! fn wide<T: alluvium::Real>(x: <T as alluvium::Real>::Avx512) {}
+//! type Wide = <f32 as alluvium::real::Real>::Avx512;
+//! ```
+//! ```compile_fail,E0603
+//! type Wide = <f32 as alluvium::lanes::Vectors>::Avx512;
 //! ```
 //! ```
 //! let set = alluvium::InstructionSet::detect();

@@ -190,9 +190,13 @@ impl Chart {
     }
 
     fn legend(&self, canvas: &mut Canvas, x: Scale, y: Scale, places: ((f64, f64), (f64, f64))) {
-        let named: Vec<&Series> = self.series.iter().filter(|s| !s.name.is_empty()).collect();
+        let mut named: Vec<&Series> = self.series.iter().filter(|s| !s.name.is_empty()).collect();
         if named.is_empty() {
             return;
+        }
+        // A stack grows upwards, and so do its names.
+        if named.iter().all(|s| matches!(s.style, Style::Band(_))) {
+            named.reverse();
         }
         let longest = named.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
         let size = (54.0 + 7.2 * longest as f64, 10.0 + 20.0 * named.len() as f64);
