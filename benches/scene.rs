@@ -167,7 +167,7 @@ impl<const D: usize> DamBreak<D> {
         let mut gravity = [0.0; D];
         gravity[D - 1] = -GRAVITY;
         let kernel = WendlandC2::new(T::of(self.smoothing * self.spacing)).expect("a length");
-        Mixture::new(kernel, water)
+        Mixture::of_water(kernel, water)
             .with_gravity(Vector::of(gravity))
             .with_artificial_viscosity(ArtificialViscosity { linear: T::of(0.05), quadratic: T::ZERO })
             .and_then(|mixture| mixture.with_density_diffusion(DensityDiffusion::TrueDensity(T::of(0.1))))

@@ -29,7 +29,7 @@ fn step<T: Real, const D: usize>(criterion: &mut Criterion<CpuTime>, case: &DamB
         println!(
             "{} bytes per particle, {:.1} steps per list",
             (mixture.bytes() as f64 / particles).round(),
-            simulation.steps() as f64 / mixture.neighbourhood().rebuilds() as f64
+            simulation.steps() as f64 / mixture.water_neighbourhood().rebuilds() as f64
         );
     }
     group.finish();

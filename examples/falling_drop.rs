@@ -13,7 +13,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let disc = setup::fill([-0.02; 2], [0.02; 2], dx).into_iter().filter(|x| x.norm() < 0.02);
     let mut drop = Phase::new(Water::new(1000.0, 20.0)?);
     drop.add(&disc.collect::<Vec<_>>(), dx * dx, |_| 0.0)?;
-    let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * dx)?, drop).with_gravity(Vector([0.0, -9.81]));
+    let mixture =
+        Mixture::<f64, 2>::of_water(WendlandC2::new(1.3 * dx)?, drop).with_gravity(Vector([0.0, -9.81]));
     let mut run = Simulation::new(mixture, VelocityVerlet::new(), StepSize::courant(0.2)?);
     let _ = run.run_until(0.2, |_| ControlFlow::Continue(()))?;
     let water = run.mixture().water();

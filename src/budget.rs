@@ -1,5 +1,7 @@
 //! The ledger: where mass, momentum and energy are, and who took what. All in double precision.
 
+use crate::material::Loss;
+use crate::real::Real;
 use crate::space::Vector;
 use core::ops::{Add, Index, IndexMut, Mul};
 
@@ -16,17 +18,25 @@ pub enum Account {
     Reinitialisation,
     /// Moving walls.
     WallWork,
-    /// Compression of extrapolated walls, whose density is given, not evolved.
+    /// Pressure and stress of extrapolated walls, which are given, not evolved.
     WallExtrapolation,
     /// Body forces without potential.
     External,
-    /// Return of a law's memory to an admissible state.
-    Admission,
+    /// Artificial stress under tension.
+    ArtificialStress,
+    /// Regularisation of the soil's stress.
+    Regularisation,
+    /// Plastic flow.
+    Plastic,
+    /// Scaling stress back to the yield surface.
+    ScaleBack,
+    /// Cutting off tension.
+    CutOff,
 }
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 12] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -34,7 +44,11 @@ impl Account {
         Self::WallWork,
         Self::WallExtrapolation,
         Self::External,
-        Self::Admission,
+        Self::ArtificialStress,
+        Self::Regularisation,
+        Self::Plastic,
+        Self::ScaleBack,
+        Self::CutOff,
     ];
 
     /// Its name in tables.
@@ -47,7 +61,11 @@ impl Account {
             Self::WallWork => "wall_work",
             Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
-            Self::Admission => "admission",
+            Self::ArtificialStress => "artificial_stress",
+            Self::Regularisation => "regularisation",
+            Self::Plastic => "plastic",
+            Self::ScaleBack => "scale_back",
+            Self::CutOff => "cut_off",
         }
     }
 }
@@ -61,6 +79,14 @@ impl Works {
     /// Sum over all accounts.
     pub fn total(&self) -> f64 {
         self.0.iter().sum()
+    }
+
+    /// Books what a law loses over `volume` \[m³\] of a constituent itself.
+    pub(crate) fn book<T: Real>(&mut self, loss: &Loss<T>, volume: T) {
+        self[Account::Viscosity] += (volume * loss.viscous).as_f64();
+        self[Account::Plastic] += (volume * loss.plastic).as_f64();
+        self[Account::ScaleBack] += (volume * loss.scale_back).as_f64();
+        self[Account::CutOff] += (volume * loss.cut_off).as_f64();
     }
 }
 
@@ -144,8 +170,10 @@ pub struct Budget<const D: usize> {
     pub kinetic: f64,
     /// Potential energy in gravity and other potentials, zero at the origin \[J\].
     pub potential: f64,
-    /// Energy stored by compression, that of evolving walls included \[J\].
+    /// Energy stored by compression of the water, that of evolving walls included \[J\].
     pub compressive: f64,
+    /// Energy stored by the soil's skeleton, that of evolving walls included \[J\].
+    pub elastic: f64,
     /// What each account has taken since the start \[J\]; negative if it gave.
     pub taken: Works,
     /// Momentum that gravity, body forces and walls have given since the start \[kg m/s\].
@@ -155,7 +183,7 @@ pub struct Budget<const D: usize> {
 impl<const D: usize> Budget<D> {
     /// Kinetic, potential and stored energy \[J\].
     pub fn energy(&self) -> f64 {
-        self.kinetic + self.potential + self.compressive
+        self.kinetic + self.potential + self.compressive + self.elastic
     }
 
     /// Energy that no account explains, since `start` \[J\]; zero up to the time integration's error.

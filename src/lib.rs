@@ -30,7 +30,7 @@
 //! water.add_wall(preset.wall(), &walls, dx * dx, &still)?;
 //! water.add(&setup::fill([0.0, 0.0], [0.1, 0.2], dx), dx * dx, &still)?;
 //! let kernel = WendlandC2::new(preset.smoothing_ratio() * dx)?;
-//! let mixture = preset.apply(Mixture::<f64, 2>::new(kernel, water)).with_gravity(Vector([0.0, -9.81]));
+//! let mixture = preset.apply(Mixture::<f64, 2>::of_water(kernel, water)).with_gravity(Vector([0.0, -9.81]));
 //! let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(preset.courant())?);
 //! let _ = run.run_until(0.1, |_| ControlFlow::Continue(()))?;
 //! let front = run.mixture().water().positions().iter().filter(|x| x[1] > 0.0 && x[0] < 0.4);
@@ -44,7 +44,8 @@
 //! |---|---|
 //! | [`real`], [`space`] | numbers or their SIMD lanes; vectors and tensors |
 //! | [`kernel`], [`neighbours`], [`summation`] | W and its slope; who is near whom; sums for values and derivatives |
-//! | [`material`] | laws: water |
+//! | [`material`] | laws: water; soil and its yield surfaces |
+//! | [`driver`] | a law driven along a path of strain and stress, without particles |
 //! | [`time`] | the three verbs, integrators, step size |
 //! | [`mixture`] | phases, walls, the equations of a step, forensics |
 //! | [`setup`], [`preset`] | where particles start; the paper's numerical choices and the library's |
@@ -79,6 +80,7 @@
 pub mod budget;
 #[cfg(feature = "case")]
 pub mod case;
+pub mod driver;
 pub mod error;
 pub mod kernel;
 mod lanes;

@@ -42,6 +42,22 @@ pub(crate) fn for_each_part<X: Send>(
     go(0, data, unit, units, task);
 }
 
+/// Calls `task(first, chunk)` on consecutive chunks of `data` (the same for any number of threads) and
+/// combines what it returns in ascending order.
+pub(crate) fn change_and_reduce<X: Send, R: Send + Clone>(
+    data: &mut [X],
+    zero: R,
+    task: impl Fn(usize, &mut [X]) -> R + Sync,
+    combine: impl Fn(R, R) -> R,
+) -> R {
+    let mut parts: Vec<_> = data.chunks_mut(CHUNK).map(|part| (part, zero.clone())).collect();
+    for_each_part(&mut parts, 1, 1, &|first, part: &mut [(&mut [X], R)]| {
+        let (chunk, result) = &mut part[0];
+        *result = task(first * CHUNK, chunk);
+    });
+    parts.into_iter().map(|(_, result)| result).fold(zero, combine)
+}
+
 /// Maps chunks of `0..count` (the same chunks for any number of threads) and combines the results
 /// in ascending order.
 pub(crate) fn reduce<R: Send + Clone>(

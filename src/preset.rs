@@ -6,15 +6,15 @@ use crate::mixture::{ArtificialViscosity, DensityDiffusion, GradientWeight, Mixt
 use crate::real::Real;
 use core::fmt;
 
-/// Numerical choices for water alone. `docs/errata.md` says what goes wrong with the paper's.
+/// Numerical choices for water or soil alone. `docs/errata.md` says what goes wrong with the paper's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Preset {
     /// As printed: h = Δx, diffusion of the partial density, (70) every 20 steps, dynamic walls of
-    /// three layers, Courant number 0.3.
+    /// three layers, Courant number 0.3; plastic flow by (36) and scaling back.
     Paper,
-    /// h = 1.3 Δx, diffusion of what gravity does not explain, no (70), extrapolated walls as thick as
-    /// the support, Courant number 0.2.
+    /// h = 1.3 Δx, diffusion of what gravity does not explain, of water alone, no (70), extrapolated walls
+    /// as thick as the support, Courant number 0.2; plastic flow by return mapping.
     #[default]
     Default,
 }
@@ -60,7 +60,15 @@ impl Preset {
         }
     }
 
-    /// A fixed wall.
+    /// A fixed wall that holds soil.
+    pub fn soil_wall<T: Real, const D: usize>(self) -> Wall<T, D> {
+        match self {
+            Self::Paper => Wall::dynamic(),
+            Self::Default => Wall::extrapolated(Slip::NoSlip),
+        }
+    }
+
+    /// A fixed wall that holds water.
     pub fn wall<T: Real, const D: usize>(self) -> Wall<T, D> {
         match self {
             Self::Paper => Wall::dynamic(),
@@ -68,12 +76,25 @@ impl Preset {
         }
     }
 
-    /// η₁ and η₂ of (59): the same in both.
+    /// η₁ and η₂ of (59) for soil: the same in both.
+    pub fn soil_artificial_viscosity<T: Real>(self) -> ArtificialViscosity<T> {
+        ArtificialViscosity { linear: T::of(0.1), quadratic: T::ONE }
+    }
+
+    /// δ of (53) for soil.
+    pub fn soil_density_diffusion<T: Real>(self) -> T {
+        match self {
+            Self::Paper => T::of(0.1),
+            Self::Default => T::ZERO,
+        }
+    }
+
+    /// η₁ and η₂ of (59) for water: the same in both.
     pub fn artificial_viscosity<T: Real>(self) -> ArtificialViscosity<T> {
         ArtificialViscosity { linear: T::of(0.01), quadratic: T::ONE }
     }
 
-    /// Density diffusion (52), δ = 0.1.
+    /// Density diffusion (52) of water, δ = 0.1.
     pub fn density_diffusion<T: Real>(self) -> DensityDiffusion<T> {
         match self {
             Self::Paper => DensityDiffusion::PartialDensity(T::of(0.1)),
@@ -90,13 +111,15 @@ impl Preset {
     }
 
     /// The mixture with these choices of artificial viscosity, diffusion and gradient weight.
-    pub fn apply<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
+    pub fn apply<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
         self,
-        mixture: Mixture<T, D, K, F>,
-    ) -> Mixture<T, D, K, F> {
+        mixture: Mixture<T, D, K, S, F>,
+    ) -> Mixture<T, D, K, S, F> {
         mixture
             .with_artificial_viscosity(self.artificial_viscosity())
+            .and_then(|mixture| mixture.with_soil_artificial_viscosity(self.soil_artificial_viscosity()))
             .and_then(|mixture| mixture.with_density_diffusion(self.density_diffusion()))
+            .and_then(|mixture| mixture.with_soil_density_diffusion(self.soil_density_diffusion()))
             .map(|mixture| mixture.with_gradient_weight(self.gradient_weight()))
             .expect("the constants above are in range")
     }

@@ -2,7 +2,7 @@
 
 use crate::budget::Budget;
 use crate::kernel::{Kernel, WendlandC2};
-use crate::material::{Material, Water};
+use crate::material::{Absent, Material, Water};
 use crate::mixture::{Mixture, StepError};
 use crate::real::Real;
 use crate::time::{Evolve, Integrator, LeapFrog, Limit, Limits, StepSize};
@@ -18,7 +18,7 @@ use core::ops::ControlFlow;
 /// let spacing = 0.01;
 /// let mut water = Phase::new(Water::new(1000.0, 25.0)?);
 /// water.add(&setup::fill([0.0, 0.0], [0.1, 0.1], spacing), spacing * spacing, |_| 0.0)?;
-/// let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * spacing)?, water)
+/// let mixture = Mixture::<f64, 2>::of_water(WendlandC2::new(1.3 * spacing)?, water)
 ///     .with_gravity(Vector([0.0, -9.81]));
 /// let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2)?);
 /// let _ = run.run_until(0.01, |_| ControlFlow::Continue(()))?;
@@ -31,13 +31,15 @@ pub struct Simulation<
     T: Real,
     const D: usize,
     K: Kernel<T, D> = WendlandC2<T, D>,
+    S: Material<T> = Absent,
     F: Material<T> = Water<T>,
     I: Integrator<T> = LeapFrog<T>,
 > {
-    pub(crate) mixture: Mixture<T, D, K, F>,
+    pub(crate) mixture: Mixture<T, D, K, S, F>,
     pub(crate) integrator: I,
     step_size: StepSize<T>,
     reinitialise_every: usize,
+    regularise_every: usize,
     pub(crate) steps: u64,
     pub(crate) last: Step,
     pub(crate) started: bool,
@@ -57,23 +59,33 @@ pub struct Step {
     pub limit: Limit,
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>> Simulation<T, D, K, F, I> {
+impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>, I: Integrator<T>>
+    Simulation<T, D, K, S, F, I>
+{
     /// A run at the time of the mixture.
-    pub fn new(mixture: Mixture<T, D, K, F>, integrator: I, step_size: StepSize<T>) -> Self {
+    pub fn new(mixture: Mixture<T, D, K, S, F>, integrator: I, step_size: StepSize<T>) -> Self {
         Self {
             mixture,
             integrator,
             step_size,
             reinitialise_every: 0,
+            regularise_every: 0,
             steps: 0,
             last: Step { length: 0.0, limit: Limit::Fixed },
             started: false,
         }
     }
 
-    /// Reinitialises the density (70) every so many steps; 0 means never.
+    /// Reinitialises the density of water (70) every so many steps; 0 means never.
     pub fn with_reinitialisation(mut self, every: usize) -> Self {
         self.reinitialise_every = every;
+        self
+    }
+
+    /// Replaces stresses of the soil by their Shepard mean every so many steps; 0, the default, means
+    /// never.
+    pub fn with_stress_regularisation(mut self, every: usize) -> Self {
+        self.regularise_every = every;
         self
     }
 
@@ -106,8 +118,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
         }
         self.integrator.step(&mut self.mixture, dt)?;
         self.steps += 1;
-        if self.reinitialise_every > 0 && self.steps.is_multiple_of(self.reinitialise_every as u64) {
+        let is_due = |every: usize| every > 0 && self.steps.is_multiple_of(every as u64);
+        if is_due(self.reinitialise_every) {
             self.mixture.reinitialise_density();
+        }
+        if is_due(self.regularise_every) {
+            self.mixture.regularise_stress();
         }
         self.last = Step { length: dt.as_f64(), limit };
         Ok(self.last)
@@ -161,12 +177,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
     }
 
     /// The particles.
-    pub fn mixture(&self) -> &Mixture<T, D, K, F> {
+    pub fn mixture(&self) -> &Mixture<T, D, K, S, F> {
         &self.mixture
     }
 
     /// The particles, to change them from outside.
-    pub fn mixture_mut(&mut self) -> &mut Mixture<T, D, K, F> {
+    pub fn mixture_mut(&mut self) -> &mut Mixture<T, D, K, S, F> {
         &mut self.mixture
     }
 

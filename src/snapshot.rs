@@ -15,19 +15,19 @@ use crate::time::Integrator;
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "T: serde::Serialize, M: serde::Serialize, I: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>, I: serde::Deserialize<'de>"
+        serialize = "T: serde::Serialize, S: serde::Serialize, F: serde::Serialize, I: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, S: serde::Deserialize<'de>, F: serde::Deserialize<'de>, I: serde::Deserialize<'de>"
     ))
 )]
-pub struct Snapshot<T: Real, const D: usize, M, I> {
-    mixture: MixtureState<T, D, M>,
+pub struct Snapshot<T: Real, const D: usize, S, F, I> {
+    mixture: MixtureState<T, D, S, F>,
     integrator: I,
     steps: u64,
     last: Step,
     started: bool,
 }
 
-impl<T: Real, const D: usize, M, I> Snapshot<T, D, M, I> {
+impl<T: Real, const D: usize, S, F, I> Snapshot<T, D, S, F, I> {
     /// Time \[s\].
     pub fn time(&self) -> f64 {
         self.mixture.time()
@@ -39,9 +39,11 @@ impl<T: Real, const D: usize, M, I> Snapshot<T, D, M, I> {
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>> Simulation<T, D, K, F, I> {
+impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>, I: Integrator<T>>
+    Simulation<T, D, K, S, F, I>
+{
     /// The run as it is now.
-    pub fn snapshot(&self) -> Snapshot<T, D, F::Memory, I> {
+    pub fn snapshot(&self) -> Snapshot<T, D, S::Memory, F::Memory, I> {
         Snapshot {
             mixture: self.mixture.state(),
             integrator: self.integrator.clone(),
@@ -55,7 +57,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>, I: Integrator<T>>
     ///
     /// # Errors
     /// The snapshot is of another number of particles or walls.
-    pub fn restore(&mut self, snapshot: Snapshot<T, D, F::Memory, I>) -> Result<(), ParameterError> {
+    pub fn restore(
+        &mut self,
+        snapshot: Snapshot<T, D, S::Memory, F::Memory, I>,
+    ) -> Result<(), ParameterError> {
         self.mixture.restore(snapshot.mixture)?;
         self.integrator = snapshot.integrator;
         self.steps = snapshot.steps;

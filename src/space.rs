@@ -222,10 +222,18 @@ impl<N: Num> Tensor<N> {
             half * (t[0][2] + t[2][0]),
         ])
     }
+    /// Antisymmetric part, ½(t − tᵀ): components xy, yz, xz. Of a velocity gradient it is the spin
+    /// \[1/s\], Eq. (35).
+    pub fn spin(&self) -> [N; 3] {
+        let half = N::lit(0.5);
+        let t = &self.0;
+        [half * (t[0][1] - t[1][0]), half * (t[1][2] - t[2][1]), half * (t[0][2] - t[2][0])] // (35)
+    }
 }
 
 /// A symmetric three-dimensional tensor: components xx, yy, zz, xy, yz, xz (ParaView's order).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SymTensor<N>(pub [N; 6]);
 
 impl<N: Num> SymTensor<N> {
@@ -252,6 +260,28 @@ impl<N: Num> SymTensor<N> {
         let (a, b) = (&self.0, &other.0);
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + N::lit(2.0) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5])
     }
+    /// `√J₂`, the magnitude of the deviator, `J₂ = ½ τ:τ`, Eq. (28).
+    pub fn root_j2(&self) -> N {
+        let tau = self.deviator();
+        (tau.double_dot(&tau) * N::lit(0.5)).sqrt() // (28)
+    }
+    /// How fast it turns with a spin (xy, yz, xz as of [`Tensor::spin`]): `ωt − tω`.
+    pub fn turning(&self, spin: &[N; 3]) -> Self {
+        let ([a, b, c], [xx, yy, zz, xy, yz, xz]) = (*spin, self.0);
+        let two = N::lit(2.0);
+        Self([
+            two * (a * xy + c * xz),
+            two * (b * yz - a * xy),
+            N::lit(-2.0) * (b * yz + c * xz),
+            a * (yy - xx) + b * xz + c * yz,
+            b * (zz - yy) - a * xz - c * xy,
+            c * (zz - xx) + a * yz - b * xy,
+        ])
+    }
+    /// The nine components, row by row.
+    fn square(&self) -> [[N; 3]; 3] {
+        core::array::from_fn(|a| core::array::from_fn(|b| self.0[Self::index(a, b)]))
+    }
     /// Contraction with a vector of the particle space, `t^{αβ} x^β`.
     #[inline(always)]
     pub fn dot<const D: usize>(&self, x: Vector<N, D>) -> Vector<N, D> {
@@ -268,6 +298,32 @@ impl<N: Num> SymTensor<N> {
     pub const fn index(a: usize, b: usize) -> usize {
         const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
         AT[a][b]
+    }
+}
+
+/// Principal values, largest first, and their directions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Principal<T> {
+    pub(crate) values: [T; 3],
+    directions: [[T; 3]; 3],
+}
+
+impl<T: Real> Principal<T> {
+    /// Of a tensor; `None` if it holds a number that is not finite.
+    pub(crate) fn of(tensor: &SymTensor<T>) -> Option<Self> {
+        let (values, directions) = T::eigen(&tensor.square())?;
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a, &b| values[b].partial_cmp(&values[a]).unwrap_or(core::cmp::Ordering::Equal));
+        Some(Self { values: order.map(|k| values[k]), directions: order.map(|k| directions[k]) })
+    }
+    /// The tensor with these values along the same directions.
+    pub(crate) fn with(&self, values: &[T; 3]) -> SymTensor<T> {
+        let mut out = SymTensor::zero();
+        for (n, &value) in self.directions.iter().zip(values) {
+            let [x, y, z] = *n;
+            out = out + SymTensor([x * x, y * y, z * z, x * y, y * z, x * z]) * value;
+        }
+        out
     }
 }
 
@@ -314,6 +370,9 @@ impl<N: Num> Mul<N> for SymTensor<N> {
 pub(crate) trait Dense: Sized {
     /// The inverse, or `None` for a singular matrix.
     fn inverse<const D: usize>(m: &[[Self; D]; D]) -> Option<[[Self; D]; D]>;
+    /// Eigenvalues of a symmetric matrix with their directions, each of length one; `None` if they
+    /// are not found, as for numbers that are not finite.
+    fn eigen(m: &[[Self; 3]; 3]) -> Option<([Self; 3], [[Self; 3]; 3])>;
 }
 
 macro_rules! dense {
@@ -329,6 +388,13 @@ macro_rules! dense {
                     }
                 }
                 Some(out)
+            }
+            fn eigen(m: &[[$t; 3]; 3]) -> Option<([$t; 3], [[$t; 3]; 3])> {
+                let m = SMatrix::<$t, 3, 3>::from_fn(|row, column| m[row][column]);
+                let found = nalgebra::SymmetricEigen::try_new(m, $t::EPSILON, 100)?;
+                let direction = |k: usize| core::array::from_fn(|axis| found.eigenvectors[(axis, k)]);
+                let all_finite = found.eigenvalues.iter().all(|value| value.is_finite());
+                all_finite.then(|| (found.eigenvalues.into(), core::array::from_fn(direction)))
             }
         }
     };

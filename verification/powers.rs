@@ -87,7 +87,7 @@ fn cloud<T: Real, const D: usize>(kind: WallKind, seed: u64) -> WaterMixture<T, 
     let mut gravity = Vector::zero();
     gravity[D - 1] = T::of(-9.81);
     let kernel = WendlandC2::new(T::of(1.5 * spacing)).expect("a length");
-    Mixture::new(kernel, phase)
+    Mixture::of_water(kernel, phase)
         .with_gravity(gravity)
         .with_force(|x, _| Vector::splat(x[0] * T::of(3.0)))
         .with_periodic(periodic([1.0; D]))
@@ -132,7 +132,7 @@ fn energy_rates<T: Real, const D: usize>(mixture: &WaterMixture<T, D>, condition
         let evolves = !is_wall || water.walls()[0].kind() == WallKind::Dynamic;
         if evolves && !conditions.is(NO_COMPRESSION) {
             let density = water.density(i).as_f64();
-            let stores = water.pressures()[i].as_f64() * water.volume_fractions()[i].as_f64();
+            let stores = water.pressures()[i].as_f64() * water.volume_fraction(i).as_f64();
             terms.push(mass * stores / (density * density) * water.density_rate(i).as_f64());
         }
     }
@@ -171,7 +171,7 @@ fn jump_rate<T: Real, const D: usize>(diffusion: DensityDiffusion<T>) -> f64 {
     let mut phase = Phase::new(water::<T>(c, 0.0));
     phase.add(&arrangement.positions(), T::of(arrangement.volume), |_| T::of(1e3)).expect("particles");
     phase.set_volume_fraction(|x| T::of(if x[0] < T::of(0.5) { 1.0 } else { 0.5 }));
-    let mut mixture = Mixture::new(WendlandC2::new(T::of(h)).expect("a length"), phase)
+    let mut mixture = Mixture::of_water(WendlandC2::new(T::of(h)).expect("a length"), phase)
         .with_periodic(periodic([1.0; D]))
         .with_density_diffusion(diffusion)
         .expect("numerics");

@@ -94,7 +94,8 @@ impl<const D: usize> Tank<D> {
             length[axis] = Some(T::of(self.tank[axis]));
         }
         let periodic = Periodic::new(Vector::zero(), length).expect("a positive length");
-        let mixture = Mixture::new(kernel, phase).with_gravity(Vector::of(gravity)).with_periodic(periodic);
+        let mixture =
+            Mixture::of_water(kernel, phase).with_gravity(Vector::of(gravity)).with_periodic(periodic);
         self.preset.apply(mixture)
     }
 

@@ -7,7 +7,7 @@ use alluvium::neighbours::Periodic;
 use alluvium::time::{Evolve, Integrator, Moment};
 use alluvium::{Real, Vector};
 
-pub type WaterMixture<T, const D: usize> = Mixture<T, D, WendlandC2<T, D>, Water<T>>;
+pub type WaterMixture<T, const D: usize> = Mixture<T, D>;
 
 /// Water of density 1000 kg/m³, with a speed of sound and a kinematic viscosity.
 pub fn water<T: Real>(sound_speed: f64, kinematic_viscosity: f64) -> Water<T> {
@@ -19,7 +19,7 @@ pub fn water<T: Real>(sound_speed: f64, kinematic_viscosity: f64) -> Water<T> {
 /// A mixture of that phase with neither artificial viscosity nor density diffusion.
 pub fn bare<T: Real, const D: usize>(h: f64, phase: Phase<T, D, Water<T>>) -> WaterMixture<T, D> {
     let none = ArtificialViscosity { linear: T::ZERO, quadratic: T::ZERO };
-    Mixture::new(WendlandC2::new(T::of(h)).expect("a length"), phase)
+    Mixture::of_water(WendlandC2::new(T::of(h)).expect("a length"), phase)
         .with_artificial_viscosity(none)
         .and_then(|mixture| mixture.with_density_diffusion(DensityDiffusion::None))
         .expect("no diffusion")

@@ -4,7 +4,7 @@ use super::choice::{DiffusionKind, InitialPressure, SearchChoice, Side, Slip};
 use super::model::{Block, Case, StepSize, Tank, Walls};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
-use crate::material::Water;
+use crate::material::{Absent, Water};
 use crate::mixture::{self, ArtificialViscosity, DensityDiffusion, Mixture, Phase, Wall};
 use crate::neighbours::{BruteForce, CellList, NeighbourSearch, Periodic};
 use crate::real::Real;
@@ -13,6 +13,8 @@ use crate::simulation::Simulation;
 use crate::space::Vector;
 use crate::time::{self, Integrator};
 use core::fmt;
+
+type SearchMaker<T, const D: usize> = fn() -> Box<dyn NeighbourSearch<T, D>>;
 
 /// Why a case could not be built.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,7 +85,7 @@ impl Case {
         &self,
         kernel: K,
         integrator: I,
-    ) -> Result<Simulation<T, D, K, Water<T>, I>, BuildError> {
+    ) -> Result<Simulation<T, D, K, Absent, Water<T>, I>, BuildError> {
         let mixture = self.mixture(kernel)?;
         let step_size = match self.time.step {
             StepSize::Courant(number) => time::StepSize::courant(T::of(number)),
@@ -116,7 +118,7 @@ impl Case {
             linear: T::of(water.artificial_viscosity_linear),
             quadratic: T::of(water.artificial_viscosity_quadratic),
         };
-        let mixture = Mixture::new(kernel, phase)
+        let mixture = Mixture::of_water(kernel, phase)
             .with_gravity(vector(&self.gravity))
             .with_artificial_viscosity(viscosity)?
             .with_density_diffusion(self.diffusion())?
@@ -156,12 +158,12 @@ impl Case {
         }
     }
 
-    fn search<T: Real, const D: usize>(&self) -> Result<Box<dyn NeighbourSearch<T, D>>, BuildError> {
+    fn search<T: Real, const D: usize>(&self) -> Result<SearchMaker<T, D>, BuildError> {
         match self.neighbours.search {
-            SearchChoice::CellList => Ok(Box::<CellList<T, D>>::default()),
-            SearchChoice::BruteForce => Ok(Box::<BruteForce>::default()),
+            SearchChoice::CellList => Ok(|| Box::<CellList<T, D>>::default()),
+            SearchChoice::BruteForce => Ok(|| Box::<BruteForce>::default()),
             #[cfg(feature = "kd-tree")]
-            SearchChoice::KdTree => Ok(Box::<crate::neighbours::KdTree<T, D>>::default()),
+            SearchChoice::KdTree => Ok(|| Box::<crate::neighbours::KdTree<T, D>>::default()),
             #[cfg(not(feature = "kd-tree"))]
             SearchChoice::KdTree => Err(BuildError::Search(SearchChoice::KdTree)),
         }

@@ -2,9 +2,23 @@
 //!
 //! A law sees one particle at a time and always three dimensions; it knows no kernel and no neighbour.
 
+mod absent;
+mod at_rest;
+mod drucker_prager;
+mod elasticity;
+mod mohr_coulomb;
+mod soil;
 mod water;
+mod yield_surface;
 
+pub use absent::Absent;
+pub use at_rest::LateralRatio;
+pub use drucker_prager::{Cone, DruckerPrager};
+pub use elasticity::Elasticity;
+pub use mohr_coulomb::MohrCoulomb;
+pub use soil::{Plasticity, Soil, SoilMemory};
 pub use water::Water;
+pub use yield_surface::{Flow, Place, Returned, Unyielding, YieldSurface};
 
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor};
@@ -31,7 +45,7 @@ impl<T: Real> Memory<T> for () {
 }
 
 /// Energy a law does not give back, per volume of the constituent itself: power \[W/m³\] where it
-/// belongs to a rate, energy \[J/m³\] where it belongs to an event.
+/// belongs to a rate, energy \[J/m³\], at the reference density, where it belongs to an event.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loss<T> {
     /// By viscosity.
@@ -62,7 +76,8 @@ pub trait Material<T: Real>: Clone + Debug + Send + Sync + 'static {
     /// What the law remembers of a particle.
     type Memory: Memory<T>;
     /// Whether the constituent's own matter keeps its density, as grains do. The volume fraction then
-    /// follows from the partial density, φ = ρ/ρ̃₀, and the compression is always zero.
+    /// follows from the partial density, φ = ρ/ρ̃₀, the compression is always zero, and all of the stress
+    /// is in the memory.
     const RIGID_GRAINS: bool = false;
     /// Reference true density ρ̃₀ \[kg/m³\].
     fn reference_density(&self) -> T;
@@ -83,6 +98,11 @@ pub trait Material<T: Real>: Clone + Debug + Send + Sync + 'static {
     fn needs_velocity_gradient(&self) -> bool;
     /// Deviatoric stress τ \[Pa\] under the velocity gradient ∂v^α/∂x^β \[1/s\].
     fn deviator(&self, velocity_gradient: &Tensor<T>, memory: &Self::Memory) -> SymTensor<T>;
+    /// The memory with the stress σ \[Pa\] in it, for a law that remembers stress; else the memory as it
+    /// is.
+    fn with_stress(&self, memory: Self::Memory, _stress: &SymTensor<T>) -> Self::Memory {
+        memory
+    }
     /// Rate of change of the memory.
     fn rate(&self, velocity_gradient: &Tensor<T>, memory: &Self::Memory) -> Self::Memory;
     /// The nearest admissible memory, such as the stress returned to the yield surface, and the

@@ -1,9 +1,10 @@
 //! Forensics: a run that goes bad stops within the step and says who, what, where and when.
 
-use super::Mixture;
+use super::constituent::{Constituent, Role};
 use super::evaluation::vector_sum;
 use super::own_pairs::sum;
-use crate::budget::{Account, Exchange};
+use super::setting::Setting;
+use crate::budget::Exchange;
 use crate::kernel::Kernel;
 use crate::material::{Material, Memory};
 use crate::parallel;
@@ -15,7 +16,7 @@ use core::ops::Range;
 /// The particle something is wrong with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Culprit {
-    /// `"water"` or `"water wall"`.
+    /// `"soil"`, `"soil wall"`, `"water"` or `"water wall"`.
     pub kind: &'static str,
     /// Its id.
     pub particle: u32,
@@ -109,6 +110,8 @@ impl core::error::Error for StepError {}
 const OVERLAP: f64 = 1e-4;
 /// The true density must stay within this fraction of its reference.
 const DENSITY_RANGE: f64 = 0.5;
+/// The volume fraction of rigid grains must stay within this fraction of the one they began with.
+const FRACTION_RANGE: f64 = 0.98;
 
 /// What one look at all particles finds.
 #[derive(Clone, Default)]
@@ -118,17 +121,18 @@ struct Survey<const D: usize> {
     suspect: Option<usize>,
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Fields before an evaluation: all finite, density and speed in range.
-    pub(super) fn check_fields(&self) -> Result<(), StepError> {
-        let water = &self.water;
-        let walls = water.wall_particles();
-        let c = water.material().sound_speed();
-        let range_of_density = T::of(DENSITY_RANGE);
+    pub(super) fn check_fields<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
+        let phase = &self.phase;
+        let walls = phase.wall_particles();
+        let c = phase.material().sound_speed();
+        let range_of_density = T::of(if M::RIGID_GRAINS { FRACTION_RANGE } else { DENSITY_RANGE });
+        let strain = |i: usize| (phase.now.excess[i] / phase.volume_fraction[i]).abs();
         let sound = |i: usize| {
-            water.bad_field(i).is_none()
-                && water.compression(i).abs() <= range_of_density
-                && (i < walls || water.now.velocity[i].norm2() <= c * c)
+            phase.bad_field(i).is_none()
+                && strain(i) <= range_of_density
+                && (i < walls || phase.now.velocity[i].norm2() <= c * c)
         };
         let first_bad = |mut range: Range<usize>| {
             if self.is_plainly_sound(range.clone(), c * c, range_of_density) {
@@ -136,23 +140,25 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             }
             range.find(|&i| !sound(i))
         };
-        let first_bad = parallel::reduce(water.len(), None, first_bad, Option::or);
+        let first_bad = parallel::reduce(phase.len(), None, first_bad, Option::or);
         let Some(i) = first_bad else { return Ok(()) };
-        let culprit = self.culprit(i);
-        if let Some(field) = water.bad_field(i) {
+        let culprit = self.culprit(setting, i);
+        if let Some(field) = phase.bad_field(i) {
             return Err(StepError::NotFinite { culprit, field, term: "state before the evaluation" });
         }
-        if water.compression(i).abs() > range_of_density {
-            let reference = water.material().reference_density().as_f64();
-            let allowed = format!(
-                "{} to {} kg/m³",
-                reference * (1.0 - DENSITY_RANGE),
-                reference * (1.0 + DENSITY_RANGE)
-            );
-            let value = water.true_density(i).as_f64();
-            return Err(StepError::Absurd { culprit, field: "true density", value, allowed });
+        if strain(i) > range_of_density {
+            let range = range_of_density.as_f64();
+            let (field, value, usual, unit) = if M::RIGID_GRAINS {
+                let fraction = phase.volume_fraction(i);
+                ("volume fraction", fraction, phase.volume_fraction[i].as_f64(), "")
+            } else {
+                let reference = phase.material().reference_density();
+                ("true density", phase.true_density(i), reference.as_f64(), " kg/m³")
+            };
+            let allowed = format!("{} to {}{unit}", usual * (1.0 - range), usual * (1.0 + range));
+            return Err(StepError::Absurd { culprit, field, value: value.as_f64(), allowed });
         }
-        let value = water.now.velocity[i].norm().as_f64();
+        let value = phase.now.velocity[i].norm().as_f64();
         Err(StepError::Absurd {
             culprit,
             field: "speed",
@@ -164,16 +170,16 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     /// Whether nothing is wrong with the particles of `range`, by a quick look without branches that
     /// may have false alarms: for fast walls, and where a square overflows.
     fn is_plainly_sound(&self, range: Range<usize>, fastest2: T, density_range: T) -> bool {
-        let (water, now) = (&self.water, &self.water.now);
+        let (phase, now) = (&self.phase, &self.phase.now);
         let mut sound = true;
-        for x in &water.position[range.clone()] {
+        for x in &phase.position[range.clone()] {
             sound &= x.norm2().is_finite();
         }
         for v in &now.velocity[range.clone()] {
             sound &= v.norm2() <= fastest2;
         }
         for (&excess, &fraction) in
-            now.excess[range.clone()].iter().zip(&water.volume_fraction[range.clone()])
+            now.excess[range.clone()].iter().zip(&phase.volume_fraction[range.clone()])
         {
             sound &= (excess / fraction).abs() <= density_range;
         }
@@ -182,14 +188,17 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
 
     /// Rates after an evaluation: all finite, nobody on top of another. Also finds the largest
     /// acceleration and the rates of the ledger.
-    pub(super) fn check_rates(&mut self) -> Result<(), StepError> {
-        let h = self.kernel.smoothing_length().as_f64();
+    pub(super) fn check_rates<K: Kernel<T, D>>(
+        &mut self,
+        setting: &Setting<T, D, K>,
+    ) -> Result<(), StepError> {
+        let h = setting.kernel.smoothing_length().as_f64();
         let closest2 = (OVERLAP * h) * (OVERLAP * h);
-        let viscous = self.exchange_rate.taken[Account::Viscosity];
+        let lost = self.exchange_rate.taken;
         let survey = parallel::reduce(
-            self.water.len(),
+            self.phase.len(),
             Survey::default(),
-            |range| self.survey(range, T::of(closest2)),
+            |range| self.survey(setting, range, T::of(closest2)),
             |a, b| Survey {
                 acceleration2: if b.acceleration2 > a.acceleration2 {
                     b.acceleration2
@@ -201,22 +210,27 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             },
         );
         if let Some(i) = survey.suspect {
-            return Err(self.explain(i, closest2.sqrt()));
+            return Err(self.explain(setting, i, closest2.sqrt()));
         }
         self.fastest_acceleration = T::of(survey.acceleration2.sqrt());
         self.exchange_rate = survey.exchange_rate;
-        self.exchange_rate.taken[Account::Viscosity] = viscous;
+        self.exchange_rate.taken = self.exchange_rate.taken + lost;
         Ok(())
     }
 
     /// `range` begins with a slice.
-    fn survey(&self, range: Range<usize>, closest2: T) -> Survey<D> {
-        let (rate, sums) = (&self.water.rate, &self.scratch.sums);
+    fn survey<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+        range: Range<usize>,
+        closest2: T,
+    ) -> Survey<D> {
+        let (rate, sums) = (&self.phase.rate, &self.scratch.sums);
         let (mut sound, mut most) = (true, [T::ZERO; 16]);
         for first in range.clone().step_by(T::SLICE) {
             let slice = first..range.end.min(first + T::SLICE);
             let near = sums.lanes(first / T::SLICE, D + sum::CLOSEST);
-            let falls = first >= self.water.wall_particles();
+            let falls = first >= self.phase.wall_particles();
             let rates = rate.acceleration[slice.clone()].iter().zip(&rate.excess[slice]).zip(near);
             for (((a, e), &near2), most) in rates.zip(&mut most) {
                 let a2 = a.norm2();
@@ -229,57 +243,70 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             rate.acceleration[i].norm2().is_finite() && rate.excess[i].is_finite() && near2 >= closest2
         };
         // The slice in which walls end is looked at particle by particle.
-        let walls = self.water.wall_particles().clamp(range.start, range.end);
+        let walls = self.phase.wall_particles().clamp(range.start, range.end);
         let mixed = walls..walls.next_multiple_of(T::SLICE).min(range.end);
         let others = mixed.map(|i| rate.acceleration[i].norm2());
         Survey {
             acceleration2: others.chain(most).fold(T::ZERO, Num::max).as_f64(),
             suspect: if sound { None } else { range.clone().find(|i| !is_sound(i)) },
-            exchange_rate: self.exchange(range),
+            exchange_rate: self.exchange(setting, range),
         }
     }
 
     /// What is wrong with particle `i`.
-    fn explain(&self, i: usize, allowed: f64) -> StepError {
-        let water = &self.water;
-        let culprit = self.culprit(i);
+    fn explain<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>, i: usize, allowed: f64) -> StepError {
+        let phase = &self.phase;
+        let culprit = self.culprit(setting, i);
         let sums = &self.scratch.sums;
         let own: Vector<T, D> = vector_sum(sums, i, 0);
         let bad = |field, term| StepError::NotFinite { culprit: culprit.clone(), field, term };
-        if !water.pressure[i].is_finite() {
-            return bad("pressure", "equation of state (16)");
+        if !phase.pressure[i].is_finite() {
+            return bad("pressure", self.term("equation of state (16)", "stress (33)"));
         }
-        if !water.deviator(i).0.iter().all(|x| x.is_finite()) {
-            return bad("deviatoric stress", "viscosity (14), (62)");
+        if !phase.deviator(i).0.iter().all(|x| x.is_finite()) {
+            return bad("deviatoric stress", self.term("viscosity (14), (62)", "stress (33), (65)"));
         }
         if !own.is_finite() {
-            return bad("acceleration", "momentum (58)");
+            return bad("acceleration", self.term("momentum (58)", "momentum (55)"));
         }
         if !sums.get(i, D + sum::COMPRESSION).is_finite() {
-            return bad("density rate", "continuity (52)");
+            return bad("density rate", self.term("continuity (52)", "continuity (53)"));
         }
-        if !water.rate.excess[i].is_finite() {
+        if !phase.rate.excess[i].is_finite() {
             return bad("density rate", "density diffusion (54)");
         }
-        if !water.rate.acceleration[i].is_finite() {
+        if !phase.rate.acceleration[i].is_finite() {
             return bad("acceleration", "body force");
         }
         let mut nearest = (f64::INFINITY, i);
-        self.neighbourhood.for_each_neighbour(&water.position, i, |j, _, r2: T| {
+        self.neighbourhood.for_each_neighbour(&phase.position, i, |j, _, r2: T| {
             if r2.as_f64() < nearest.0 {
                 nearest = (r2.as_f64(), j);
             }
         });
-        StepError::Overlap { culprit, other: water.id[nearest.1], distance: nearest.0.sqrt(), allowed }
+        StepError::Overlap { culprit, other: phase.id[nearest.1], distance: nearest.0.sqrt(), allowed }
     }
 
-    fn culprit(&self, i: usize) -> Culprit {
-        let water = &self.water;
+    /// The name of a term, as it is for each constituent.
+    fn term(&self, of_water: &'static str, of_soil: &'static str) -> &'static str {
+        match self.role {
+            Role::Soil => of_soil,
+            Role::Water => of_water,
+        }
+    }
+
+    fn culprit<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>, i: usize) -> Culprit {
+        let phase = &self.phase;
         Culprit {
-            kind: if i < water.wall_particles() { "water wall" } else { "water" },
-            particle: water.id[i],
-            position: water.position[i].as_f64().to_vec(),
-            time: self.time,
+            kind: match (self.role, i < phase.wall_particles()) {
+                (Role::Soil, true) => "soil wall",
+                (Role::Soil, false) => "soil",
+                (Role::Water, true) => "water wall",
+                (Role::Water, false) => "water",
+            },
+            particle: phase.id[i],
+            position: phase.position[i].as_f64().to_vec(),
+            time: setting.time,
         }
     }
 }

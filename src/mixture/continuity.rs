@@ -1,5 +1,6 @@
 //! The pair terms of the continuity equations (52), (53), and density diffusion (54).
 
+use crate::error::ParameterError;
 use crate::real::{Num, Real};
 use crate::space::Vector;
 
@@ -33,6 +34,17 @@ impl<T: Real> DensityDiffusion<T> {
                 d
             }
         }
+    }
+}
+
+impl<T: Real> DensityDiffusion<T> {
+    /// Itself, if the coefficient is usable.
+    pub(super) fn checked(self) -> Result<Self, ParameterError> {
+        let delta = self.coefficient();
+        if !(delta >= T::ZERO && delta <= T::ONE) {
+            return Err(ParameterError::new("density_diffusion", delta, "from 0 to 1"));
+        }
+        Ok(self)
     }
 }
 

@@ -1,95 +1,113 @@
 //! The equations, one method each, in the order of [`Mixture`]'s evaluation.
 
-use super::Mixture;
+use super::constituent::Constituent;
 use super::continuity::{DensityDiffusion, PairDiffusion};
 use super::momentum::Viscosity;
 use super::own_pairs::{OwnPairs, sum};
+use super::setting::Setting;
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
-use crate::space::{SymTensor, Vector};
+use crate::space::{SymTensor, Tensor, Vector};
 use crate::summation::Sums;
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Brings the neighbour lists up to date; now and then that re-sorts the particles.
     pub(super) fn find_neighbours(&mut self) {
-        if !self.neighbourhood.is_stale(&self.water.position) {
+        if !self.neighbourhood.is_stale(&self.phase.position) {
             return;
         }
         let periodic = *self.neighbourhood.periodic();
         if periodic.is_any() {
-            for x in &mut self.water.position {
+            for x in &mut self.phase.position {
                 *x = periodic.wrap(*x);
             }
         }
-        let walls = self.water.wall_particles();
-        let order = self.neighbourhood.cell_order(&self.water.position, walls);
-        self.water.permute(&order);
-        self.neighbourhood.rebuild(&self.water.position, walls);
+        let walls = self.phase.wall_particles();
+        let order = self.neighbourhood.cell_order(&self.phase.position, walls);
+        self.phase.permute(&order);
+        self.neighbourhood.rebuild(&self.phase.position, walls);
     }
 
     /// Pressure from density: (16), (20).
     pub(super) fn find_pressure(&mut self) {
-        let mut pressures = core::mem::take(&mut self.water.pressure);
-        let water = &self.water;
+        let mut pressures = core::mem::take(&mut self.phase.pressure);
+        let phase = &self.phase;
         parallel::for_each_part(&mut pressures, 1, CHUNK, &|first, part: &mut [T]| {
-            let (fractions, memories) = (&water.volume_fraction[first..], &water.now.memory[first..]);
-            let fields = water.now.excess[first..].iter().zip(fractions).zip(memories);
+            let (fractions, memories) = (&phase.volume_fraction[first..], &phase.now.memory[first..]);
+            let fields = phase.now.excess[first..].iter().zip(fractions).zip(memories);
             for (p, ((&excess, &fraction), memory)) in part.iter_mut().zip(fields) {
-                *p = water.material().pressure(excess / fraction, memory);
+                let compression = if M::RIGID_GRAINS { T::ZERO } else { excess / fraction };
+                *p = phase.material().pressure(compression, memory);
             }
         });
-        self.water.pressure = pressures;
+        self.phase.pressure = pressures;
+        if M::RIGID_GRAINS {
+            self.find_stored_deviator();
+        }
+    }
+
+    /// Deviatoric stress of a law that stores it: of particles that have their own.
+    fn find_stored_deviator(&mut self) {
+        let mut deviator = core::mem::take(&mut self.phase.deviator);
+        deviator.resize(self.phase.len(), SymTensor::zero());
+        let phase = &self.phase;
+        parallel::for_each_part(&mut deviator, 1, CHUNK, &|first, part: &mut [SymTensor<T>]| {
+            for (tau, memory) in part.iter_mut().zip(&phase.now.memory[first..]) {
+                *tau = phase.material().deviator(&Tensor::zero(), memory);
+            }
+        });
+        self.phase.deviator = deviator;
     }
 
     /// Continuity (52) and the phase's own part of momentum (58).
-    pub(super) fn sum_own_pairs(&mut self) {
-        if self.water.material().needs_velocity_gradient() {
-            self.sum_own_pairs_with::<true>();
+    pub(super) fn sum_own_pairs<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        if self.phase.material().needs_velocity_gradient() {
+            self.sum_own_pairs_with::<true, K>(setting);
         } else {
-            self.sum_own_pairs_with::<false>();
+            self.sum_own_pairs_with::<false, K>(setting);
         }
-        self.collect_rates();
+        self.collect_rates(setting);
     }
 
-    fn sum_own_pairs_with<const STRESS: bool>(&mut self) {
-        let h = self.kernel.smoothing_length();
-        let material = self.water.material();
+    fn sum_own_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let h = setting.kernel.smoothing_length();
+        let material = self.phase.material();
         let (c, reference) = (material.sound_speed(), material.reference_density());
         let formula = OwnPairs::<T, K, D, STRESS> {
-            kernel: self.kernel.clone(),
+            kernel: setting.kernel.clone(),
             viscosity: Viscosity::new(self.viscosity, h, c),
             diffusion: PairDiffusion::new(
                 self.diffusion,
                 reference,
                 material.hydrostatic_slope(),
-                self.gravity,
+                setting.gravity,
             ),
         };
         let partial = matches!(self.diffusion, DensityDiffusion::PartialDensity(_));
-        let water = &self.water;
+        let phase = &self.phase;
         let (o, one) = (T::ZERO, T::ONE);
         // Density one keeps the division of (59) finite; volume zero takes the dummy out.
         let dummy: &[T] = if D == 2 { &[o, o, o, one] } else { &[o, o, o, o, one] };
         self.neighbourhood.pack::<OwnPairs<T, K, D, STRESS>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             dummy,
             &|i, record: &mut [T]| {
-                let density = water.density(i);
-                let volume = water.mass[i] / density;
-                let pull = water.volume_fraction[i] / (density * density);
-                record[..D].copy_from_slice(&water.now.velocity[i].0);
-                record[D] = if water.is_gliding(i) { -volume } else { volume };
+                let density = phase.density(i);
+                let volume = phase.mass[i] / density;
+                let pull = phase.volume_fraction(i) / (density * density);
+                record[..D].copy_from_slice(&phase.now.velocity[i].0);
+                record[D] = if phase.is_gliding(i) { -volume } else { volume };
                 record[D + 1] = density;
-                record[D + 2] = water.pressure[i] * pull;
-                record[D + 3] = if partial { density / reference } else { water.compression(i) };
+                record[D + 2] = phase.pressure[i] * pull;
+                record[D + 3] = if partial { density / reference } else { phase.compression(i) };
                 if STRESS {
                     let mut k = D + 4;
                     for a in 0..D {
                         for b in a..D {
-                            record[k] = water.deviator[i].0[SymTensor::<T>::index(a, b)] * pull;
+                            record[k] = phase.deviator[i].0[SymTensor::<T>::index(a, b)] * pull;
                             k += 1;
                         }
                     }
@@ -100,18 +118,18 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     }
 
     /// Factor of `Σ V ψ·∇W/2ρ̃₀` in the rate of the excess: `2 δ h c`.
-    pub(super) fn diffusivity(&self) -> T {
-        let h = self.kernel.smoothing_length();
-        T::of(2.0) * self.diffusion.coefficient() * h * self.water.material().sound_speed()
+    pub(super) fn diffusivity<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>) -> T {
+        let h = setting.kernel.smoothing_length();
+        T::of(2.0) * self.diffusion.coefficient() * h * self.phase.material().sound_speed()
     }
 
     /// Turns the sums into rates.
-    fn collect_rates(&mut self) {
-        let factor = self.diffusivity();
-        let inverse_reference = T::ONE / self.water.material().reference_density();
-        let (sums, rate) = (&self.scratch.sums, &mut self.water.rate);
-        let gravity = self.gravity;
-        let walls = self.water.wall_acceleration.len();
+    fn collect_rates<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let factor = self.diffusivity(setting);
+        let inverse_reference = T::ONE / self.phase.material().reference_density();
+        let (sums, rate) = (&self.scratch.sums, &mut self.phase.rate);
+        let gravity = setting.gravity;
+        let walls = self.phase.wall_acceleration.len();
         // Slice by slice, as the sums lie.
         parallel::for_each_part(&mut rate.acceleration, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
             for (s, slice) in part.chunks_mut(T::SLICE).enumerate() {
@@ -138,11 +156,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     }
 
     /// The body force beside gravity.
-    pub(super) fn add_body_forces(&mut self) {
-        let Some(force) = &self.force else { return };
-        let walls = self.water.wall_particles();
-        let (time, positions) = (self.time, &self.water.position);
-        let acceleration = &mut self.water.rate.acceleration;
+    pub(super) fn add_body_forces<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let Some(force) = &setting.force else { return };
+        let walls = self.phase.wall_particles();
+        let (time, positions) = (setting.time, &self.phase.position);
+        let acceleration = &mut self.phase.rate.acceleration;
         parallel::for_each_part(acceleration, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
             for (k, a) in part.iter_mut().enumerate().skip(walls.saturating_sub(first)) {
                 *a += (force.acceleration)(&positions[first + k], time);

@@ -1,6 +1,7 @@
 //! How a phase moves in time: the loops behind the integrator's verbs.
 
 use super::Phase;
+use crate::budget::Works;
 use crate::material::{Material, Memory};
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
@@ -10,8 +11,8 @@ use core::ops::{Add, Mul};
 
 impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// `X_target ← X_base + dt · DX/Dt` for every particle but prescribed walls, made admissible;
-    /// returns the energy that took \[J\].
-    pub(crate) fn advance(&mut self, target: Moment, base: Moment, dt: T) -> f64 {
+    /// returns what the law's return took \[J\].
+    pub(crate) fn advance(&mut self, target: Moment, base: Moment, dt: T) -> Works {
         let mut fields = core::mem::take(self.fields_mut(target));
         let base = (base != target).then(|| self.fields(base));
         let walls = self.wall_particles();
@@ -26,19 +27,30 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             }
             kick(rest, base.map(|base| &base.excess[i..]), &self.rate.excess[i..], dt);
         });
-        let mut returned = 0.0;
+        let mut returned = Works::default();
         if size_of::<M::Memory>() > 0 {
-            for (i, memory) in fields.memory.iter_mut().enumerate() {
-                if self.is_evolving(i) {
-                    let start = base.map_or(*memory, |base| base.memory[i]);
-                    let (admitted, loss) = self.material().admit(start.advanced(self.rate.memory[i], dt));
-                    *memory = admitted;
-                    returned += (self.volume(i) * self.volume_fraction[i] * loss.total()).as_f64();
-                }
-            }
+            returned = self.advance_memory(&mut fields.memory, base.map(|base| &base.memory[..]), dt);
         }
         *self.fields_mut(target) = fields;
         returned
+    }
+
+    /// `memory ← base + dt · rate`, made admissible; returns what that took \[J\].
+    fn advance_memory(&self, memories: &mut [M::Memory], base: Option<&[M::Memory]>, dt: T) -> Works {
+        let advance = |first: usize, part: &mut [M::Memory]| {
+            let mut returned = Works::default();
+            for (k, memory) in part.iter_mut().enumerate() {
+                let i = first + k;
+                if self.is_evolving(i) {
+                    let start = base.map_or(*memory, |base| base[i]);
+                    let (admitted, loss) = self.material().admit(start.advanced(self.rate.memory[i], dt));
+                    *memory = admitted;
+                    returned.book(&loss, self.mass[i] / self.material().reference_density());
+                }
+            }
+            returned
+        };
+        parallel::change_and_reduce(memories, Works::default(), advance, |a, b| a + b)
     }
 
     /// `x ← x + dt · v`; walls follow their prescribed motion from time `start` \[s\].

@@ -1,7 +1,9 @@
 //! The pass that gives extrapolated walls their pressure, velocity and stress (Adami et al. 2012).
 
+use super::constituent::Constituent;
 use super::evaluation::vector_sum;
-use super::{Mixture, Slip, WallKind};
+use super::setting::Setting;
+use super::{Slip, WallKind};
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::real::{Num, Real};
@@ -61,7 +63,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Extrapolation<
     }
 }
 
-/// `Σ V W` and `Σ V τ W` for wall particles; record: x, volume, τ.
+/// `Σ V W` and `Σ V τ W`; record: x, volume, τ.
 pub(crate) struct StressExtrapolation<K, const D: usize> {
     pub(crate) kernel: K,
 }
@@ -99,116 +101,126 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for StressExtrapol
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     pub(super) fn has_extrapolated_walls(&self) -> bool {
-        self.water.walls().iter().any(|wall| wall.kind() != WallKind::Dynamic)
+        self.phase.walls().iter().any(|wall| wall.kind() != WallKind::Dynamic)
     }
 
     /// Pressure and velocity of extrapolated walls (Adami et al. 2012):
     /// `p_w = ⟨p⟩ + (g − a_w)·⟨ρ̃ (x_w − x)⟩`; viscosity sees `2v_w − ⟨v⟩`
-    /// without slip, and a wall gliding along with the fluid with free slip.
-    pub(super) fn extrapolate_walls(&mut self) {
+    /// where the wall holds, and a wall gliding along with the material where not.
+    pub(super) fn extrapolate_walls<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         if !self.has_extrapolated_walls() {
             return;
         }
-        let formula = Extrapolation::<K, D> { kernel: self.kernel.clone() };
-        let water = &self.water;
+        let formula = Extrapolation::<K, D> { kernel: setting.kernel.clone() };
+        let phase = &self.phase;
         let o = T::ZERO;
         let dummy: &[T] = &[o, o, o, o, o, o][..D + 3];
         self.neighbourhood.pack::<Extrapolation<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             dummy,
             &|i, record: &mut [T]| {
-                record[..D].copy_from_slice(&water.now.velocity[i].0);
-                record[D] = water.volume(i);
-                record[D + 1] = water.pressure[i];
-                record[D + 2] = water.true_density(i);
+                record[..D].copy_from_slice(&phase.now.velocity[i].0);
+                record[D] = phase.volume(i);
+                record[D + 1] = phase.pressure[i];
+                record[D + 2] = phase.true_density(i);
             },
         );
         self.neighbourhood.sum_first(
-            water.wall_particles(),
+            phase.wall_particles(),
             &formula,
             &self.scratch.records,
             &mut self.scratch.sums,
         );
+        if M::RIGID_GRAINS {
+            self.sum_stress_beside_walls(setting);
+        }
         self.scratch.wall_velocity.clear();
-        for i in 0..self.water.wall_particles() {
-            let shown = self.extrapolate_wall(i);
+        for i in 0..self.phase.wall_particles() {
+            let shown = self.extrapolate_wall(setting, i);
             self.scratch.wall_velocity.push(shown);
         }
     }
 
-    /// Sets pressure and density of wall particle `i`; returns the velocity it shows to viscosity.
-    fn extrapolate_wall(&mut self, i: usize) -> Vector<T, D> {
-        let v_wall = self.water.now.velocity[i];
-        let WallKind::Extrapolated { slip, suction } =
-            self.water.walls()[usize::from(self.water.body[i])].kind()
-        else {
-            return v_wall;
-        };
+    /// Sets pressure and density of wall particle `i`, of soil its stress; returns the velocity it shows
+    /// to viscosity.
+    fn extrapolate_wall<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>, i: usize) -> Vector<T, D> {
+        let v_wall = self.phase.now.velocity[i];
+        let WallKind::Extrapolated { slip, suction } = self.phase.wall_kind(i) else { return v_wall };
         let sums = &self.scratch.sums;
         let weight = sums.get(i, sum::WEIGHT);
-        let (mut pressure, mut shown) = (T::ZERO, v_wall);
+        let (mut pressure, mut slip_velocity) = (T::ZERO, Vector::zero());
+        // From the material into the wall.
+        let lever: Vector<T, D> = vector_sum(sums, i, sum::LEVER);
         if weight > T::ZERO {
-            let fall = self.gravity - self.water.wall_acceleration[i];
-            let lever: Vector<T, D> = vector_sum(sums, i, sum::LEVER);
+            let fall = setting.gravity - self.phase.wall_acceleration[i];
             let mean: Vector<T, D> = vector_sum(sums, i, sum::LEVER + D);
             pressure = (sums.get(i, sum::PRESSURE) + fall.dot(lever)) / weight;
-            let slip_velocity = mean * (T::ONE / weight) - v_wall;
-            shown = match slip {
-                Slip::NoSlip => v_wall - slip_velocity,
-                // The lever points from the fluid into the wall.
-                Slip::FreeSlip => {
-                    v_wall + slip_velocity - lever * (lever.dot(slip_velocity) / lever.norm2().max(tiny()))
-                }
-            };
+            slip_velocity = mean * (T::ONE / weight) - v_wall;
         }
         if !suction {
             pressure = pressure.max(T::ZERO);
         }
-        let excess = self.water.material().compression(pressure) * self.water.volume_fraction[i];
-        self.water.pressure[i] = pressure;
-        self.water.now.excess[i] = excess;
-        self.water.half.excess[i] = excess;
-        shown
+        let holds = if M::RIGID_GRAINS {
+            self.set_wall_stress(i, pressure, slip, lever * (T::ONE / lever.norm().max(tiny())))
+        } else {
+            let excess = self.phase.material().compression(pressure) * self.phase.volume_fraction[i];
+            self.phase.pressure[i] = pressure;
+            self.phase.now.excess[i] = excess;
+            self.phase.half.excess[i] = excess;
+            slip == Slip::NoSlip
+        };
+        if holds {
+            v_wall - slip_velocity
+        } else {
+            v_wall + slip_velocity - lever * (lever.dot(slip_velocity) / lever.norm2().max(tiny()))
+        }
     }
 
-    /// Stress of extrapolated walls: the fluid's without slip, none where it glides.
-    pub(super) fn extrapolate_stress(&mut self) {
-        let formula = StressExtrapolation::<K, D> { kernel: self.kernel.clone() };
-        let water = &self.water;
+    /// Deviatoric stress of extrapolated walls: the water's without slip, none where it glides.
+    pub(super) fn extrapolate_viscous_stress<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        self.sum_stress_beside_walls(setting);
+        for i in 0..self.phase.wall_particles() {
+            match self.phase.wall_kind(i) {
+                WallKind::Dynamic => {}
+                WallKind::Extrapolated { slip: Slip::NoSlip, .. } => {
+                    self.phase.deviator[i] = self.stress_beside_wall(i);
+                }
+                WallKind::Extrapolated { .. } => self.phase.deviator[i] = SymTensor::zero(),
+            }
+        }
+    }
+
+    /// The sums behind [`stress_beside_wall`](Self::stress_beside_wall).
+    fn sum_stress_beside_walls<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let formula = StressExtrapolation::<K, D> { kernel: setting.kernel.clone() };
+        let phase = &self.phase;
         self.neighbourhood.pack::<StressExtrapolation<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO; 7],
             &|i, record: &mut [T]| {
-                record[0] = water.volume(i);
-                record[1..7].copy_from_slice(&water.deviator[i].0);
+                record[0] = phase.volume(i);
+                record[1..7].copy_from_slice(&phase.deviator[i].0);
             },
         );
-        self.neighbourhood.sum_first(
-            water.wall_particles(),
-            &formula,
-            &self.scratch.records,
-            &mut self.scratch.extra,
-        );
+        let walls = phase.wall_particles();
+        self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
+    }
+
+    /// Mean deviatoric stress ⟨τ⟩ beside wall particle `i` \[Pa\].
+    pub(super) fn stress_beside_wall(&self, i: usize) -> SymTensor<T> {
         let sums = &self.scratch.extra;
-        for i in 0..self.water.wall_particles() {
-            let WallKind::Extrapolated { slip, .. } =
-                self.water.walls()[usize::from(self.water.body[i])].kind()
-            else {
-                continue;
-            };
-            let weight = sums.get(i, 0);
-            let mut stress = SymTensor::zero();
-            if slip == Slip::NoSlip && weight > T::ZERO {
-                for k in 0..6 {
-                    stress.0[k] = sums.get(i, 1 + k) / weight;
-                }
+        let weight = sums.get(i, 0);
+        let mut stress = SymTensor::zero();
+        if weight > T::ZERO {
+            for k in 0..6 {
+                stress.0[k] = sums.get(i, 1 + k) / weight;
             }
-            self.water.deviator[i] = stress;
         }
+        stress
     }
 }
 

@@ -5,7 +5,7 @@ use super::wall::Wall;
 use crate::error::ParameterError;
 use crate::material::Material;
 use crate::real::Real;
-use crate::space::Vector;
+use crate::space::{SymTensor, Vector};
 
 impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// Adds particles at rest, each standing for `volume` \[m³, in 2D m²\], under the pressure
@@ -103,6 +103,16 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             let change = change(&self.position[i]);
             self.now.velocity[i] += change;
             self.half.velocity[i] += change;
+        }
+    }
+
+    /// Gives every particle, walls included, the stress `stress(x)` \[Pa\], positive in tension, if the law
+    /// remembers stress.
+    pub fn set_stress(&mut self, stress: impl Fn(&Vector<T, D>) -> SymTensor<T>) {
+        for i in 0..self.len() {
+            let memory = self.material.with_stress(self.now.memory[i], &stress(&self.position[i]));
+            self.now.memory[i] = memory;
+            self.half.memory[i] = memory;
         }
     }
 

@@ -1,7 +1,9 @@
 //! Where energy and momentum are, and what takes energy at which rate.
 
 use super::Mixture;
+use super::constituent::Constituent;
 use super::own_pairs::sum;
+use super::setting::Setting;
 use crate::budget::{Account, Budget, Exchange};
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -52,11 +54,15 @@ impl<const D: usize> Terms<D> {
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// What the particles of `range`, which begins with a slice, lose and are given per time, term by
     /// term.
-    pub(super) fn exchange(&self, range: Range<usize>) -> Exchange<D> {
-        let walls = self.water.wall_particles().clamp(range.start, range.end);
+    pub(super) fn exchange<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+        range: Range<usize>,
+    ) -> Exchange<D> {
+        let walls = self.phase.wall_particles().clamp(range.start, range.end);
         let mut terms = Terms::new();
         for first in range.clone().step_by(T::SLICE) {
             let slice = first..range.end.min(first + T::SLICE);
@@ -65,32 +71,35 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             }
             self.add_dissipation(walls.clamp(slice.start, slice.end)..slice.end, &mut terms);
         }
-        if self.force.is_some() {
+        if setting.force.is_some() {
             terms.falling_mass = [0.0; LANES];
-            self.add_force(walls..range.end, &mut terms);
+            self.add_force(setting, walls..range.end, &mut terms);
         }
-        terms.booked(Vector(self.gravity.as_f64()))
+        terms.booked(Vector(setting.gravity.as_f64()))
     }
 
     /// What the particles of walls take and are given.
     fn add_walls(&self, range: Range<usize>, terms: &mut Terms<D>) {
-        let water = &self.water;
+        let phase = &self.phase;
         for i in range {
-            if water.is_evolving(i) {
+            if phase.is_evolving(i) {
                 // Its mass does not fall.
                 let falling_mass = terms.falling_mass;
                 self.add_dissipation(i..i + 1, terms);
                 terms.falling_mass = falling_mass;
             } else {
-                let (mass, density) = (water.mass[i].as_f64(), water.density(i));
-                let stores = water.pressure[i] * water.volume_fraction[i] / (density * density);
-                let compression = self.scratch.sums.get(i, D + sum::COMPRESSION).as_f64();
+                let mass = phase.mass[i].as_f64();
                 let loss = self.scratch.sums.get(i, D + sum::VISCOUS_LOSS).as_f64();
                 terms.artificial_viscosity[i % T::SLICE] += 0.5 * mass * loss;
-                terms.wall_extrapolation += stores.as_f64() * mass * compression;
+                if !M::RIGID_GRAINS {
+                    let density = phase.density(i);
+                    let stores = phase.pressure[i] * phase.volume_fraction[i] / (density * density);
+                    let compression = self.scratch.sums.get(i, D + sum::COMPRESSION).as_f64();
+                    terms.wall_extrapolation += stores.as_f64() * mass * compression;
+                }
             }
-            let (mass, a) = (water.mass[i].as_f64(), water.rate.acceleration[i]);
-            terms.wall_work += mass * a.dot(water.now.velocity[i]).as_f64();
+            let (mass, a) = (phase.mass[i].as_f64(), phase.rate.acceleration[i]);
+            terms.wall_work += mass * a.dot(phase.now.velocity[i]).as_f64();
             terms.impulse -= Vector(a.as_f64()) * mass;
         }
     }
@@ -101,14 +110,14 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         if range.is_empty() {
             return;
         }
-        let (water, sums) = (&self.water, &self.scratch.sums);
+        let (phase, sums) = (&self.phase, &self.scratch.sums);
         let (slice, lane) = (range.start / T::SLICE, range.start % T::SLICE);
         let losses = &sums.lanes(slice, D + sum::VISCOUS_LOSS)[lane..];
         let compressions = &sums.lanes(slice, D + sum::COMPRESSION)[lane..];
-        let (masses, pressures) = (&water.mass[range.clone()], &water.pressure[range.clone()]);
-        let (fractions, excesses) = (&water.volume_fraction[range.clone()], &water.now.excess[range.clone()]);
-        let rates = &water.rate.excess[range.clone()];
-        let reference = water.material().reference_density();
+        let (masses, pressures) = (&phase.mass[range.clone()], &phase.pressure[range.clone()]);
+        let (fractions, excesses) = (&phase.volume_fraction[range.clone()], &phase.now.excess[range.clone()]);
+        let rates = &phase.rate.excess[range.clone()];
+        let reference = phase.material().reference_density();
         let viscosity = &mut terms.artificial_viscosity[lane..];
         let (diffusion, falling) = (&mut terms.density_diffusion[lane..], &mut terms.falling_mass[lane..]);
         let count = range.len().min(T::SLICE - lane);
@@ -119,35 +128,42 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
             let stores = (pressures[k] * fractions[k] / (density * density)).as_f64() * mass;
             let diffused = rates[k].as_f64() * reference.as_f64() - compressions[k].as_f64();
             viscosity[k] += 0.5 * mass * losses[k].as_f64();
-            diffusion[k] -= stores * diffused;
+            if !M::RIGID_GRAINS {
+                diffusion[k] -= stores * diffused;
+            }
             falling[k] += mass;
         }
     }
 
     /// What gravity and the body force give to particles that are no wall's.
-    fn add_force(&self, range: Range<usize>, terms: &mut Terms<D>) {
-        let (water, Some(force)) = (&self.water, &self.force) else { return };
+    fn add_force<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+        range: Range<usize>,
+        terms: &mut Terms<D>,
+    ) {
+        let (phase, Some(force)) = (&self.phase, &setting.force) else { return };
         for i in range {
-            let (mass, velocity) = (water.mass[i].as_f64(), water.now.velocity[i]);
-            let other = (force.acceleration)(&water.position[i], self.time);
+            let (mass, velocity) = (phase.mass[i].as_f64(), phase.now.velocity[i]);
+            let other = (force.acceleration)(&phase.position[i], setting.time);
             if force.potential.is_none() {
                 terms.external -= mass * other.dot(velocity).as_f64();
             }
-            terms.impulse += Vector((self.gravity + other).as_f64()) * mass;
+            terms.impulse += Vector((setting.gravity + other).as_f64()) * mass;
         }
     }
 
     /// Energy stored by compression and in the law's memory \[J\], that of evolving walls included.
-    pub(super) fn compressive_energy(&self) -> f64 {
-        let water = &self.water;
+    pub(super) fn stored_energy(&self) -> f64 {
+        let phase = &self.phase;
         parallel::reduce(
-            water.len(),
+            phase.len(),
             0.0,
             |range| {
-                let own = range.filter(|&i| water.is_evolving(i));
+                let own = range.filter(|&i| phase.is_evolving(i));
                 own.map(|i| {
-                    let stored = water.material().stored_energy(water.compression(i), &water.now.memory[i]);
-                    water.mass[i].as_f64() * stored
+                    let stored = phase.material().stored_energy(phase.compression(i), &phase.now.memory[i]);
+                    phase.mass[i].as_f64() * stored
                 })
                 .sum()
             },
@@ -155,32 +171,21 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
         )
     }
 
-    /// Mass, momentum and energy now, and what has been taken so far.
-    pub fn budget(&self) -> Budget<D> {
-        let mut budget = Budget {
-            time: self.time,
-            mass: 0.0,
-            momentum: [0.0; D],
-            angular_momentum: [0.0; 3],
-            kinetic: 0.0,
-            potential: 0.0,
-            compressive: self.compressive_energy(),
-            taken: self.exchanged[Moment::Now as usize].taken,
-            impulse: self.exchanged[Moment::Now as usize].impulse.0,
-        };
-        let water = &self.water;
-        let gravity = self.gravity.as_f64();
-        for i in water.wall_particles()..water.len() {
-            let mass = water.mass[i].as_f64();
-            let (x, v) = (water.position[i].as_f64(), water.now.velocity[i].as_f64());
+    /// Adds mass, momentum, kinetic and potential energy of the particles that are no wall's.
+    fn add_to<K: Kernel<T, D>>(&self, budget: &mut Budget<D>, setting: &Setting<T, D, K>) {
+        let phase = &self.phase;
+        let gravity = setting.gravity.as_f64();
+        for i in phase.wall_particles()..phase.len() {
+            let mass = phase.mass[i].as_f64();
+            let (x, v) = (phase.position[i].as_f64(), phase.now.velocity[i].as_f64());
             budget.mass += mass;
             for k in 0..D {
                 budget.momentum[k] += mass * v[k];
                 budget.kinetic += 0.5 * mass * v[k] * v[k];
                 budget.potential -= mass * gravity[k] * x[k];
             }
-            if let Some(potential) = self.force.as_ref().and_then(|force| force.potential.as_ref()) {
-                budget.potential += mass * potential(&water.position[i], self.time);
+            if let Some(potential) = setting.force.as_ref().and_then(|force| force.potential.as_ref()) {
+                budget.potential += mass * potential(&phase.position[i], setting.time);
             }
             let (x, v) = (in_three(x), in_three(v));
             for k in 0..3 {
@@ -188,6 +193,27 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
                 budget.angular_momentum[k] += mass * (x[a] * v[b] - x[b] * v[a]);
             }
         }
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
+    /// Mass, momentum and energy now, and what has been taken so far.
+    pub fn budget(&self) -> Budget<D> {
+        let exchanged = &self.exchanged[Moment::Now as usize];
+        let mut budget = Budget {
+            time: self.setting.time,
+            mass: 0.0,
+            momentum: [0.0; D],
+            angular_momentum: [0.0; 3],
+            kinetic: 0.0,
+            potential: 0.0,
+            compressive: self.water.stored_energy(),
+            elastic: self.soil.stored_energy(),
+            taken: exchanged.taken,
+            impulse: exchanged.impulse.0,
+        };
+        self.soil.add_to(&mut budget, &self.setting);
+        self.water.add_to(&mut budget, &self.setting);
         budget
     }
 }

@@ -1,6 +1,7 @@
 //! The pair terms of the momentum equations (55), (58): what `j` does to `i`, per unit mass of `j`
 //! and per `∇ᵢWᵢⱼ`.
 
+use crate::error::ParameterError;
 use crate::real::{Num, Real};
 
 /// Monaghan's artificial viscosity (59)–(61).
@@ -11,6 +12,20 @@ pub struct ArtificialViscosity<T> {
     pub linear: T,
     /// η₂ \[-\], quadratic: keeps particles from passing through each other.
     pub quadratic: T,
+}
+
+impl<T: Real> ArtificialViscosity<T> {
+    /// Itself, if both factors are usable.
+    pub(super) fn checked(self) -> Result<Self, ParameterError> {
+        for (name, value) in
+            [("artificial_viscosity.linear", self.linear), ("artificial_viscosity.quadratic", self.quadratic)]
+        {
+            if !(value >= T::ZERO && value.is_finite()) {
+                return Err(ParameterError::new(name, value, "zero or positive"));
+            }
+        }
+        Ok(self)
+    }
 }
 
 /// The constants of (59)–(61) for particles of one kind.

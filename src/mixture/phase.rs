@@ -20,7 +20,7 @@ use crate::time::Moment;
 pub(crate) struct Fields<T: Real, const D: usize, M> {
     pub(crate) velocity: Vec<Vector<T, D>>,
     /// ρ/ρ̃₀ − φ: the partial density beyond its reference; kept instead of ρ so that `f32` does not
-    /// lose the pressure.
+    /// lose the pressure. Of rigid grains, with φ at the start: they change φ itself.
     pub(crate) excess: Vec<T>,
     pub(crate) memory: Vec<M>,
 }
@@ -69,6 +69,7 @@ pub struct Phase<T: Real, const D: usize, M: Material<T>> {
     pub(crate) body: Vec<u16>,
     pub(crate) position: Vec<Vector<T, D>>,
     pub(crate) mass: Vec<T>,
+    /// φ \[-\]; of rigid grains, that of the start.
     pub(crate) volume_fraction: Vec<T>,
     pub(crate) now: Fields<T, D, M::Memory>,
     pub(crate) half: Fields<T, D, M::Memory>,
@@ -137,13 +138,18 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         i >= self.wall_particles || self.walls[usize::from(self.body[i])].kind() == WallKind::Dynamic
     }
 
-    /// Whether particle `i` is of a wall along which the fluid glides.
+    /// Of which kind the wall of wall particle `i` is.
+    pub(super) fn wall_kind(&self, i: usize) -> WallKind {
+        self.walls[usize::from(self.body[i])].kind()
+    }
+
+    /// Whether particle `i` is of a wall that does not hold what moves along it.
     #[inline(always)]
     pub(crate) fn is_gliding(&self, i: usize) -> bool {
         i < self.wall_particles
             && matches!(
                 self.walls[usize::from(self.body[i])].kind(),
-                WallKind::Extrapolated { slip: Slip::FreeSlip, .. }
+                WallKind::Extrapolated { slip: Slip::FreeSlip | Slip::Friction(_), .. }
             )
     }
 
@@ -185,9 +191,10 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         &self.mass
     }
 
-    /// Volume fractions φ \[-\].
-    pub fn volume_fractions(&self) -> &[T] {
-        &self.volume_fraction
+    /// Volume fraction φ \[-\] of particle `i`.
+    #[inline(always)]
+    pub fn volume_fraction(&self, i: usize) -> T {
+        if M::RIGID_GRAINS { self.volume_fraction[i] + self.now.excess[i] } else { self.volume_fraction[i] }
     }
 
     /// Pressures p \[Pa\] at the last evaluation, positive in compression.
@@ -211,15 +218,26 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.deviator.get(i).copied().unwrap_or_default()
     }
 
+    /// Stress σ = −p I + τ \[Pa\] of particle `i` at the last evaluation, positive in tension.
+    pub fn stress(&self, i: usize) -> SymTensor<T> {
+        self.deviator(i) - SymTensor::isotropic(self.pressure[i])
+    }
+
     /// What the law remembers of particle `i`.
     pub fn memory(&self, i: usize) -> &M::Memory {
         &self.now.memory[i]
     }
 
+    /// How fast what the law remembers of particle `i` changes, at the last evaluation and before it is
+    /// made admissible.
+    pub fn memory_rate(&self, i: usize) -> &M::Memory {
+        &self.rate.memory[i]
+    }
+
     /// Compression ρ̃/ρ̃₀ − 1 \[-\] of particle `i`.
     #[inline(always)]
     pub fn compression(&self, i: usize) -> T {
-        self.now.excess[i] / self.volume_fraction[i]
+        if M::RIGID_GRAINS { T::ZERO } else { self.now.excess[i] / self.volume_fraction[i] }
     }
 
     /// Partial density ρ \[kg/m³\] of particle `i`.

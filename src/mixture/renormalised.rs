@@ -1,13 +1,16 @@
 //! Density diffusion with the renormalised density gradient (Antuono et al. 2010).
 
+use super::DensityDiffusion;
+use super::compressed::{self, Compressed};
+use super::constituent::Constituent;
 use super::evaluation::vector_sum;
-use super::{DensityDiffusion, Mixture};
+use super::setting::Setting;
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel::{self, CHUNK};
 use crate::real::{Num, Real};
 use crate::space::Vector;
-use crate::summation::{MOST, PairFormula, Record, Sums, add_vector, number, vector};
+use crate::summation::{MOST, PairFormula, Record, Sums, add_vector, vector};
 
 /// First pass: `Σ V_j (e_j − e_i) ∇W` (numbers `0..D`) and `Σ V_j (x_j − x_i)⊗∇W` (then, `D + αD + β`);
 /// record: x, volume, e.
@@ -20,28 +23,22 @@ pub(crate) struct RenormalisedDiffusion<K, const D: usize> {
     pub(crate) kernel: K,
 }
 
+/// What the second pass reads.
 #[derive(Clone, Copy)]
-pub(crate) struct Compressed<N: Copy, const D: usize> {
-    x: Vector<N, D>,
-    volume: N,
-    compression: N,
+pub(crate) struct Sloping<N: Copy, const D: usize> {
+    at: Compressed<N, D>,
     gradient: Vector<N, D>,
 }
 
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for CompressionGradient<K, D> {
-    const BLOCKS: usize = (D + 2).div_ceil(4);
+    const BLOCKS: usize = Compressed::<T, D>::LENGTH.div_ceil(4);
     const SUMS: usize = D + D * D;
     const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Compressed<N, D>;
 
     #[inline(always)]
     fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Compressed<N, D> {
-        Compressed {
-            x: vector(record, 0),
-            volume: number(record, D),
-            compression: number(record, D + 1),
-            gradient: Vector::zero(),
-        }
+        Compressed::read(record)
     }
 
     #[inline(always)]
@@ -58,72 +55,63 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for CompressionGra
 }
 
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for RenormalisedDiffusion<K, D> {
-    const BLOCKS: usize = (2 * D + 2).div_ceil(4);
+    const BLOCKS: usize = (Compressed::<T, D>::LENGTH + D).div_ceil(4);
     const SUMS: usize = 1;
     const SELDOM: bool = true;
-    type At<N: Num<Scalar = T>> = Compressed<N, D>;
+    type At<N: Num<Scalar = T>> = Sloping<N, D>;
 
     #[inline(always)]
-    fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Compressed<N, D> {
-        Compressed {
-            x: vector(record, 0),
-            volume: number(record, D),
-            compression: number(record, D + 1),
-            gradient: vector(record, D + 2),
-        }
+    fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Sloping<N, D> {
+        Sloping { at: Compressed::read(record), gradient: vector(record, Compressed::<N, D>::LENGTH) }
     }
 
     #[inline(always)]
-    fn add_pair<N: Num<Scalar = T>>(&self, i: &Compressed<N, D>, j: &Compressed<N, D>, sums: &mut [N; MOST]) {
-        let x = i.x - j.x;
+    fn add_pair<N: Num<Scalar = T>>(&self, i: &Sloping<N, D>, j: &Sloping<N, D>, sums: &mut [N; MOST]) {
+        let x = i.at.x - j.at.x;
         let explained = (i.gradient + j.gradient).dot(x) * N::lit(0.5);
-        let unexplained = i.compression - j.compression - explained;
-        sums[0] += j.volume * self.kernel.slope(x.norm2()) * unexplained;
+        let unexplained = i.at.compression - j.at.compression - explained;
+        sums[0] += j.at.volume * self.kernel.slope(x.norm2()) * unexplained;
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// The diffusive sum of (52) with the renormalised density gradient.
-    pub(super) fn add_renormalised_diffusion(&mut self) {
+    pub(super) fn add_renormalised_diffusion<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         if !matches!(self.diffusion, DensityDiffusion::Renormalised(_)) {
             return;
         }
-        let gradients = self.compression_gradients();
-        let water = &self.water;
+        let gradients = self.compression_gradients(setting);
+        let phase = &self.phase;
         self.neighbourhood.pack::<RenormalisedDiffusion<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO, T::ZERO],
             &|i, record: &mut [T]| {
-                record[0] = water.volume(i);
-                record[1] = water.compression(i);
+                compressed::write(record, phase, i);
                 record[2..2 + D].copy_from_slice(&gradients[i].0);
             },
         );
-        let formula = RenormalisedDiffusion::<K, D> { kernel: self.kernel.clone() };
+        let formula = RenormalisedDiffusion::<K, D> { kernel: setting.kernel.clone() };
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
-        let factor = self.diffusivity();
-        for (i, rate) in self.water.rate.excess.iter_mut().enumerate() {
-            *rate += factor * self.water.volume_fraction[i] * self.scratch.extra.get(i, 0);
+        let factor = self.diffusivity(setting);
+        for (i, rate) in self.phase.rate.excess.iter_mut().enumerate() {
+            *rate += factor * self.phase.volume_fraction[i] * self.scratch.extra.get(i, 0);
         }
     }
 
     /// The renormalised gradient of the compression at every particle \[1/m\].
-    fn compression_gradients(&mut self) -> Vec<Vector<T, D>> {
-        let water = &self.water;
+    fn compression_gradients<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Vec<Vector<T, D>> {
+        let phase = &self.phase;
         self.neighbourhood.pack::<CompressionGradient<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO, T::ZERO],
-            &|i, record: &mut [T]| {
-                record[0] = water.volume(i);
-                record[1] = water.compression(i);
-            },
+            &|i, record: &mut [T]| compressed::write(record, phase, i),
         );
-        let formula = CompressionGradient::<K, D> { kernel: self.kernel.clone() };
+        let formula = CompressionGradient::<K, D> { kernel: setting.kernel.clone() };
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
         let sums = &self.scratch.extra;
-        let mut gradients = vec![Vector::zero(); water.len()];
+        let mut gradients = vec![Vector::zero(); phase.len()];
         parallel::for_each_part(&mut gradients, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
             for (k, gradient) in part.iter_mut().enumerate() {
                 *gradient = renormalised(sums, first + k);

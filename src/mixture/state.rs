@@ -1,6 +1,7 @@
 //! What a mixture has to remember to go on with the same bits.
 
 use super::Mixture;
+use super::constituent::Constituent;
 use super::phase::{Fields, Phase, Rates};
 use crate::budget::Exchange;
 use crate::error::ParameterError;
@@ -32,8 +33,7 @@ pub(crate) struct PhaseState<T: Real, const D: usize, M> {
     wall_acceleration: Vec<Vector<T, D>>,
 }
 
-/// The state of a [`Mixture`] between two steps, without what has to be set up again: kernel, law,
-/// walls and their motion, forces, numerics, search.
+/// The state of a constituent between two steps.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -43,17 +43,33 @@ pub(crate) struct PhaseState<T: Real, const D: usize, M> {
         deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
     ))
 )]
-pub struct MixtureState<T: Real, const D: usize, M> {
-    time: f64,
-    water: PhaseState<T, D, M>,
+struct ConstituentState<T: Real, const D: usize, M> {
+    phase: PhaseState<T, D, M>,
     /// Where the particles were when their neighbours were listed: the list follows from it.
     listed: Vec<Vector<T, D>>,
-    exchanged: [Exchange<D>; 2],
     exchange_rate: Exchange<D>,
     fastest_acceleration: T,
 }
 
-impl<T: Real, const D: usize, M> MixtureState<T, D, M> {
+/// The state of a [`Mixture`] between two steps, without what has to be set up again: kernel, law,
+/// walls and their motion, forces, numerics, search.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, S: serde::Serialize, F: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, S: serde::Deserialize<'de>, F: serde::Deserialize<'de>"
+    ))
+)]
+pub struct MixtureState<T: Real, const D: usize, S, F> {
+    time: f64,
+    soil: ConstituentState<T, D, S>,
+    water: ConstituentState<T, D, F>,
+    exchanged: [Exchange<D>; 2],
+}
+
+impl<T: Real, const D: usize, S, F> MixtureState<T, D, S, F> {
     /// Time \[s\].
     pub fn time(&self) -> f64 {
         self.time
@@ -76,7 +92,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         }
     }
 
-    fn restore(&mut self, state: PhaseState<T, D, M::Memory>) -> Result<(), ParameterError> {
+    /// Whether `state` is of as many particles and walls, else what is wrong with it.
+    fn fits(&self, state: &PhaseState<T, D, M::Memory>) -> Result<(), ParameterError> {
         let count = self.len();
         let lengths = [
             state.id.len(),
@@ -102,6 +119,11 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
                 "the walls of this mixture",
             ));
         }
+        Ok(())
+    }
+
+    /// Takes over a state that fits.
+    fn restore(&mut self, state: PhaseState<T, D, M::Memory>) {
         self.id = state.id;
         self.body = state.body;
         self.position = state.position;
@@ -112,21 +134,48 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.half = state.half;
         self.rate = state.rate;
         self.wall_acceleration = state.wall_acceleration;
-        Ok(())
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
-    /// What it has to remember.
-    pub fn state(&self) -> MixtureState<T, D, F::Memory> {
-        let listed = self.neighbourhood.reference_positions();
-        MixtureState {
-            time: self.time,
-            water: self.water.state(),
-            listed: listed.to_vec(),
-            exchanged: self.exchanged,
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
+    fn state(&self) -> ConstituentState<T, D, M::Memory> {
+        ConstituentState {
+            phase: self.phase.state(),
+            listed: self.neighbourhood.reference_positions().to_vec(),
             exchange_rate: self.exchange_rate,
             fastest_acceleration: self.fastest_acceleration,
+        }
+    }
+
+    /// Whether `state` is of as many particles and walls, else what is wrong with it.
+    fn fits(&self, state: &ConstituentState<T, D, M::Memory>) -> Result<(), ParameterError> {
+        let listed = state.listed.len();
+        if listed != 0 && listed != self.phase.len() {
+            let allowed = "as many as in this mixture";
+            return Err(ParameterError::new("listed particles in the state", listed, allowed));
+        }
+        self.phase.fits(&state.phase)
+    }
+
+    /// Takes over a state that fits.
+    fn restore(&mut self, state: ConstituentState<T, D, M::Memory>) {
+        self.phase.restore(state.phase);
+        if !state.listed.is_empty() {
+            self.neighbourhood.rebuild(&state.listed, self.phase.wall_particles());
+        }
+        self.exchange_rate = state.exchange_rate;
+        self.fastest_acceleration = state.fastest_acceleration;
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
+    /// What it has to remember.
+    pub fn state(&self) -> MixtureState<T, D, S::Memory, F::Memory> {
+        MixtureState {
+            time: self.setting.time,
+            soil: self.soil.state(),
+            water: self.water.state(),
+            exchanged: self.exchanged,
         }
     }
 
@@ -134,23 +183,13 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
     ///
     /// # Errors
     /// The state is of another number of particles or walls; nothing is changed then.
-    pub fn restore(&mut self, state: MixtureState<T, D, F::Memory>) -> Result<(), ParameterError> {
-        if !state.listed.is_empty() && state.listed.len() != self.water.len() {
-            let given = state.listed.len();
-            return Err(ParameterError::new(
-                "listed particles in the state",
-                given,
-                "as many as in this mixture",
-            ));
-        }
-        self.water.restore(state.water)?;
-        if !state.listed.is_empty() {
-            self.neighbourhood.rebuild(&state.listed, self.water.wall_particles());
-        }
-        self.time = state.time;
+    pub fn restore(&mut self, state: MixtureState<T, D, S::Memory, F::Memory>) -> Result<(), ParameterError> {
+        self.soil.fits(&state.soil)?;
+        self.water.fits(&state.water)?;
+        self.soil.restore(state.soil);
+        self.water.restore(state.water);
+        self.setting.time = state.time;
         self.exchanged = state.exchanged;
-        self.exchange_rate = state.exchange_rate;
-        self.fastest_acceleration = state.fastest_acceleration;
         Ok(())
     }
 }

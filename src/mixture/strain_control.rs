@@ -8,8 +8,9 @@
 //!
 //! which for a smooth velocity is of the order h²∇⁴v: it vanishes with the resolution.
 
-use super::Mixture;
+use super::constituent::Constituent;
 use super::evaluation::vector_sum;
+use super::setting::Setting;
 use crate::budget::Account;
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -92,62 +93,62 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for UnseenMotion<K
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Adds the control to the accelerations and books what it takes as viscosity.
-    pub(super) fn add_strain_control(&mut self) {
+    pub(super) fn add_strain_control<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let viscosity =
-            self.water.material().kinematic_viscosity() * self.water.material().reference_density();
+            self.phase.material().kinematic_viscosity() * self.phase.material().reference_density();
         let strength = T::of(2.0) * self.strain_control * viscosity;
         if strength <= T::ZERO {
             return;
         }
-        self.extrapolate_gradient();
-        let (water, shown) = (&self.water, &self.scratch.wall_velocity);
+        self.extrapolate_gradient(setting);
+        let (phase, shown) = (&self.phase, &self.scratch.wall_velocity);
         let gradients = &self.scratch.velocity_gradient;
         self.neighbourhood.pack::<UnseenMotion<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO; 13][..1 + D * D + D],
             &|i, record: &mut [T]| {
                 // Fluid glides along without friction.
-                record[0] = if water.is_gliding(i) { T::ZERO } else { water.volume(i) };
+                record[0] = if phase.is_gliding(i) { T::ZERO } else { phase.volume(i) };
                 write_rows(record, &gradients[i]);
-                let v = shown.get(i).unwrap_or(&water.now.velocity[i]);
+                let v = shown.get(i).unwrap_or(&phase.now.velocity[i]);
                 record[1 + D * D..1 + D * D + D].copy_from_slice(&v.0);
             },
         );
-        let formula = UnseenMotion::<K, D> { kernel: self.kernel.clone() };
+        let formula = UnseenMotion::<K, D> { kernel: setting.kernel.clone() };
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
         let mut taken = 0.0;
-        for i in 0..self.water.len() {
-            if self.water.is_gliding(i) {
+        for i in 0..self.phase.len() {
+            if self.phase.is_gliding(i) {
                 continue;
             }
             let push: Vector<T, D> =
-                vector_sum(&self.scratch.extra, i, 0) * (strength / self.water.density(i));
-            self.water.rate.acceleration[i] += push;
-            taken -= (self.water.mass[i] * push.dot(self.water.now.velocity[i])).as_f64();
+                vector_sum(&self.scratch.extra, i, 0) * (strength / self.phase.density(i));
+            self.phase.rate.acceleration[i] += push;
+            taken -= (self.phase.mass[i] * push.dot(self.phase.now.velocity[i])).as_f64();
         }
         self.exchange_rate.taken[Account::Viscosity] += taken;
     }
 
     /// The velocity gradient of wall particles: the mean of the fluid's beside them.
-    fn extrapolate_gradient(&mut self) {
-        let walls = self.water.wall_particles();
+    fn extrapolate_gradient<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let walls = self.phase.wall_particles();
         if walls == 0 {
             return;
         }
-        let (water, gradients) = (&self.water, &self.scratch.velocity_gradient);
+        let (phase, gradients) = (&self.phase, &self.scratch.velocity_gradient);
         self.neighbourhood.pack::<GradientExtrapolation<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO; 10][..1 + D * D],
             &|i, record: &mut [T]| {
-                record[0] = water.volume(i);
+                record[0] = phase.volume(i);
                 write_rows(record, &gradients[i]);
             },
         );
-        let formula = GradientExtrapolation::<K, D> { kernel: self.kernel.clone() };
+        let formula = GradientExtrapolation::<K, D> { kernel: setting.kernel.clone() };
         self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
         for i in 0..walls {
             let weight = self.scratch.extra.get(i, 0);

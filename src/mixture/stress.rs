@@ -1,81 +1,93 @@
 //! From the velocity gradient to stress: (62) → (14), (15).
 
+use super::GradientWeight;
+use super::constituent::Constituent;
 use super::evaluation::vector_sum;
+use super::setting::Setting;
 use super::velocity_gradient::VelocityGradient;
-use super::{GradientWeight, Mixture};
-use crate::budget::Account;
+use crate::budget::Works;
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor, Vector};
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Velocity gradient (62) → deviatoric stress (14), (15) and rate of the memory.
-    pub(super) fn find_stress(&mut self) {
-        self.exchange_rate.taken[Account::Viscosity] = 0.0;
-        if !self.water.material().needs_velocity_gradient() {
+    pub(super) fn find_stress<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        self.exchange_rate.taken = Works::default();
+        if !self.phase.material().needs_velocity_gradient() {
             return;
         }
-        let formula = VelocityGradient::<K, D> { kernel: self.kernel.clone() };
+        let formula = VelocityGradient::<K, D> { kernel: setting.kernel.clone() };
         let weight = self.gradient_weight;
-        let (water, wall_velocity) = (&self.water, &self.scratch.wall_velocity);
+        let (phase, wall_velocity) = (&self.phase, &self.scratch.wall_velocity);
         self.neighbourhood.pack::<VelocityGradient<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO; 4][..D + 1],
             &|i, record: &mut [T]| {
-                let v = wall_velocity.get(i).unwrap_or(&water.now.velocity[i]);
+                let v = wall_velocity.get(i).unwrap_or(&phase.now.velocity[i]);
                 record[..D].copy_from_slice(&v.0);
                 record[D] = match weight {
-                    GradientWeight::Conjugate => water.mass[i],
-                    GradientWeight::Printed => water.volume(i),
+                    GradientWeight::Conjugate => phase.mass[i],
+                    GradientWeight::Printed => phase.volume(i),
                 };
             },
         );
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
         self.apply_law();
         if self.has_extrapolated_walls() {
-            self.extrapolate_stress();
-            self.book_wall_friction();
+            if !M::RIGID_GRAINS {
+                self.extrapolate_viscous_stress(setting);
+            }
+            self.book_wall_friction(setting);
         }
     }
 
-    /// Deviatoric stress and rate of the memory under the gradient just summed, and the work of the
-    /// stress.
+    /// Deviatoric stress of a law that does not store it, rate of the memory, and what the law loses, all
+    /// under the gradient just summed.
     fn apply_law(&mut self) {
-        let mut deviator = core::mem::take(&mut self.water.deviator);
-        let mut memory_rate = core::mem::take(&mut self.water.rate.memory);
-        deviator.resize(self.water.len(), SymTensor::zero());
         if self.strain_control > T::ZERO {
-            let gradients = (0..self.water.len()).map(|i| self.velocity_gradient(i)).collect();
+            let gradients = (0..self.phase.len()).map(|i| self.velocity_gradient(i)).collect();
             self.scratch.velocity_gradient = gradients;
         }
-        let (this, water) = (&*self, &self.water);
-        parallel::for_each_part(&mut deviator, 1, CHUNK, &|first, part: &mut [SymTensor<T>]| {
-            for (k, tau) in part.iter_mut().enumerate() {
-                let gradient = this.embedded_gradient(first + k);
-                *tau = water.material().deviator(&gradient, &water.now.memory[first + k]);
-            }
-        });
-        if size_of::<F::Memory>() > 0 {
-            parallel::for_each_part(&mut memory_rate, 1, CHUNK, &|first, part: &mut [F::Memory]| {
-                for (k, rate) in part.iter_mut().enumerate() {
+        let mut deviator = core::mem::take(&mut self.phase.deviator);
+        let mut memory_rate = core::mem::take(&mut self.phase.rate.memory);
+        let (this, phase) = (&*self, &self.phase);
+        if !M::RIGID_GRAINS {
+            deviator.resize(phase.len(), SymTensor::zero());
+            parallel::for_each_part(&mut deviator, 1, CHUNK, &|first, part: &mut [SymTensor<T>]| {
+                for (k, tau) in part.iter_mut().enumerate() {
                     let gradient = this.embedded_gradient(first + k);
-                    *rate = water.material().rate(&gradient, &water.now.memory[first + k]);
+                    *tau = phase.material().deviator(&gradient, &phase.now.memory[first + k]);
                 }
             });
         }
-        let loss = this.stress_power(&deviator);
-        self.exchange_rate.taken[Account::Viscosity] = loss;
-        self.water.deviator = deviator;
-        self.water.rate.memory = memory_rate;
+        let law = |first: usize, part: &mut [M::Memory]| {
+            let mut lost = Works::default();
+            for (k, rate) in part.iter_mut().enumerate() {
+                let i = first + k;
+                if !phase.is_evolving(i) {
+                    continue;
+                }
+                let (gradient, memory) = (this.embedded_gradient(i), &phase.now.memory[i]);
+                *rate = phase.material().rate(&gradient, memory);
+                let loss = phase.material().power_lost(&gradient.symmetric(), &deviator[i], memory);
+                lost.book(&loss, phase.volume(i) * phase.volume_fraction(i));
+            }
+            lost
+        };
+        let lost = parallel::change_and_reduce(&mut memory_rate, Works::default(), law, |a, b| a + b);
+        self.exchange_rate.taken = lost;
+        self.phase.deviator = deviator;
+        self.phase.rate.memory = memory_rate;
     }
 
     /// ∂v^α/∂x^β of particle `i`, row α, from the sums of [`VelocityGradient`] \[1/s\].
     fn velocity_gradient(&self, i: usize) -> [Vector<T, D>; D] {
         let scale = match self.gradient_weight {
-            GradientWeight::Conjugate => T::ONE / self.water.density(i),
+            GradientWeight::Conjugate => T::ONE / self.phase.density(i),
             GradientWeight::Printed => T::ONE,
         };
         core::array::from_fn(|a| vector_sum(&self.scratch.sums, i, a * D) * scale)
@@ -83,20 +95,5 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, 
 
     fn embedded_gradient(&self, i: usize) -> Tensor<T> {
         Tensor::embed(&self.velocity_gradient(i).map(|row| row.0))
-    }
-
-    /// Work of τ per time, `Σ V φ τ:∇v`, of every particle that has its own stress \[W\].
-    fn stress_power(&self, deviator: &[SymTensor<T>]) -> f64 {
-        let water = &self.water;
-        let power = |i: usize| {
-            let stretch = self.embedded_gradient(i).symmetric();
-            (water.volume(i) * water.volume_fraction[i] * deviator[i].double_dot(&stretch)).as_f64()
-        };
-        parallel::reduce(
-            water.len(),
-            0.0,
-            |range| range.filter(|&i| water.is_evolving(i)).map(power).sum(),
-            |a, b| a + b,
-        )
     }
 }

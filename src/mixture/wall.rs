@@ -5,8 +5,8 @@ use crate::space::Vector;
 use core::fmt;
 use std::sync::Arc;
 
-/// How a fluid moves along an extrapolated wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How material moves along an extrapolated wall.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slip {
     /// It sticks: viscosity sees the mirrored velocity `2v_w − ⟨v⟩`.
@@ -15,10 +15,13 @@ pub enum Slip {
     /// It glides: viscosity sees a wall that moves along, without shear stress, and artificial
     /// viscosity does not see the wall.
     FreeSlip,
+    /// Soil sticks until the shear stress reaches the coefficient μ \[-\] times the normal one (Coulomb),
+    /// and glides along under that stress; water glides.
+    Friction(f64),
 }
 
 /// Where the fields of wall particles come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum WallKind {
     /// They evolve like those of any particle, except position and velocity (the paper's).

@@ -1,6 +1,8 @@
-//! What viscous stress between fluid and an extrapolated wall takes beyond the fluid's own `Vφτ:∇v`.
+//! What stress between particles and an extrapolated wall takes beyond the particles' own `Vφτ:∇v`, of
+//! which the law knows.
 
-use super::Mixture;
+use super::constituent::Constituent;
+use super::setting::Setting;
 use crate::budget::Account;
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -89,26 +91,29 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for WallFriction<K
     }
 }
 
-impl<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>> Mixture<T, D, K, F> {
-    /// Adds to the loss by viscosity what it takes between fluid and extrapolated walls.
-    pub(super) fn book_wall_friction(&mut self) {
-        let formula = WallFriction::<K, D> { kernel: self.kernel.clone() };
-        let (water, shown) = (&self.water, &self.scratch.wall_velocity);
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
+    /// Books what stress takes between particles and extrapolated walls: of water the deviatoric stress,
+    /// as viscosity; of rigid grains, which store the work of all stress in their memory, all of it.
+    pub(super) fn book_wall_friction<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let formula = WallFriction::<K, D> { kernel: setting.kernel.clone() };
+        let (phase, shown) = (&self.phase, &self.scratch.wall_velocity);
         self.neighbourhood.pack::<WallFriction<K, D>>(
-            &water.position,
+            &phase.position,
             &mut self.scratch.records,
             &[T::ZERO; 13][..record_length(D) - D],
             &|i, record: &mut [T]| {
-                let (v, density) = (&water.now.velocity[i], water.density(i));
-                let pull = water.volume_fraction[i] / (density * density);
+                let (v, density) = (&phase.now.velocity[i], phase.density(i));
+                let pull = phase.volume_fraction(i) / (density * density);
                 let velocities = [v, shown.get(i).unwrap_or(v)];
-                write(record, velocities, water.mass[i], pull, &water.deviator[i]);
+                let stress = if M::RIGID_GRAINS { phase.stress(i) } else { phase.deviator[i] };
+                write(record, velocities, phase.mass[i], pull, &stress);
             },
         );
-        let walls = water.wall_particles();
+        let walls = phase.wall_particles();
         self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
-        let friction = |i: usize| (water.mass[i] * self.scratch.extra.get(i, 0)).as_f64();
-        let extrapolated = (0..walls).filter(|&i| !water.is_evolving(i));
-        self.exchange_rate.taken[Account::Viscosity] += extrapolated.map(friction).sum::<f64>();
+        let friction = |i: usize| (phase.mass[i] * self.scratch.extra.get(i, 0)).as_f64();
+        let extrapolated = (0..walls).filter(|&i| !phase.is_evolving(i));
+        let account = if M::RIGID_GRAINS { Account::WallExtrapolation } else { Account::Viscosity };
+        self.exchange_rate.taken[account] += extrapolated.map(friction).sum::<f64>();
     }
 }

@@ -51,6 +51,18 @@ pub struct Limits<T> {
 }
 
 impl<T: Real> Limits<T> {
+    /// No limit.
+    pub fn none() -> Self {
+        Self { acoustic: T::INFINITY, viscous: T::INFINITY, force: T::INFINITY }
+    }
+    /// The shorter of each pair.
+    pub fn shorter(self, other: Self) -> Self {
+        Self {
+            acoustic: self.acoustic.min(other.acoustic),
+            viscous: self.viscous.min(other.viscous),
+            force: self.force.min(other.force),
+        }
+    }
     /// The shortest with its name; `courant` scales the acoustic one (73).
     pub fn binding(&self, courant: T) -> (T, Limit) {
         let mut best = (courant * self.acoustic, Limit::Acoustic);

@@ -23,7 +23,9 @@ pub fn dimensionless_time(t: f64) -> f64 {
 }
 
 /// Dimensionless position `X = x/L` of the leading edge: the foremost particle and half its spacing.
-pub fn front<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(mixture: &Mixture<T, D, K, F>) -> f64 {
+pub fn front<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    mixture: &Mixture<T, D, K, S, F>,
+) -> f64 {
     let water = mixture.water();
     let edge =
         |i: usize| water.positions()[i][0].as_f64() + 0.5 * water.volume(i).as_f64().powf(1.0 / D as f64);
@@ -108,10 +110,10 @@ impl Curve {
 
 /// Root mean square of the pressure less its Shepard mean, over `ρgH`, of the particles farther than
 /// the support from surface and walls; and how many those are.
-pub fn pressure_noise<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
-    mixture: &Mixture<T, D, K, F>,
+pub fn pressure_noise<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    mixture: &Mixture<T, D, K, S, F>,
 ) -> (f64, usize) {
-    let (water, neighbourhood) = (mixture.water(), mixture.neighbourhood());
+    let (water, neighbourhood) = (mixture.water(), mixture.water_neighbourhood());
     let (walls, kernel) = (water.wall_particles(), mixture.kernel());
     let own = kernel.value(T::ZERO);
     let mut filled = vec![T::ZERO; water.len()];
@@ -195,9 +197,9 @@ impl Reference {
     }
 
     /// Error of the horizontal velocity of all particles against this solution (78).
-    pub fn velocity_error<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
+    pub fn velocity_error<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
         &self,
-        mixture: &Mixture<T, D, K, F>,
+        mixture: &Mixture<T, D, K, S, F>,
     ) -> VelocityError {
         let water = mixture.water();
         let (mut sum, mut volume, mut compared, mut left_out) = (0.0, 0.0, 0, 0);
@@ -217,8 +219,8 @@ impl Reference {
 }
 
 /// How many particles are outside the tank's walls, sideways or below.
-pub fn leaked<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
-    mixture: &Mixture<T, D, K, F>,
+pub fn leaked<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    mixture: &Mixture<T, D, K, S, F>,
 ) -> usize {
     let water = mixture.water();
     let outside = |x: f64, y: f64| !(0.0..=TANK).contains(&x) || y < 0.0;
@@ -229,8 +231,8 @@ pub fn leaked<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
 }
 
 /// How many particles hang at the left wall, two spacings or more above the surface beside it.
-pub fn stuck<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
-    mixture: &Mixture<T, D, K, F>,
+pub fn stuck<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    mixture: &Mixture<T, D, K, S, F>,
 ) -> usize {
     let water = mixture.water();
     let spacing =

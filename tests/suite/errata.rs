@@ -19,7 +19,7 @@ const SPACING: f64 = 0.05;
 fn periodic_box(water: Water<f64>) -> Mixture<f64, 2> {
     let mut phase = Phase::new(water);
     phase.add(&setup::fill([0.0; 2], [1.0; 2], SPACING), SPACING * SPACING, |_| 0.0).unwrap();
-    Mixture::new(WendlandC2::new(1.3 * SPACING).unwrap(), phase)
+    Mixture::of_water(WendlandC2::new(1.3 * SPACING).unwrap(), phase)
         .with_periodic(Periodic::new(Vector::zero(), [Some(1.0); 2]).unwrap())
 }
 
@@ -31,7 +31,7 @@ fn the_reference_density_follows_the_volume_fraction() {
     mixture.evaluate().unwrap();
     let water = mixture.water();
     for i in 0..water.len() {
-        assert_eq!(water.density(i), 1000.0 * water.volume_fractions()[i]);
+        assert_eq!(water.density(i), 1000.0 * water.volume_fraction(i));
         // Frozen at 1000 kg/m³ it would be −14 kPa at half the fraction.
         assert_eq!(water.pressures()[i], 0.0);
     }
@@ -108,7 +108,7 @@ fn reinitialisation_is_the_shepard_mean_and_costs_energy() {
 /// (70) by the operators of a cloud, in the order of the particles' numbers: another way to the same.
 fn shepard_mean(mixture: &Mixture<f64, 2>) -> Vec<f64> {
     let water = mixture.water();
-    let periodic = *mixture.neighbourhood().periodic();
+    let periodic = *mixture.water_neighbourhood().periodic();
     let positions: Vec<_> = water.positions().iter().map(|&x| periodic.wrap(x)).collect();
     let mut near =
         Neighbourhood::new(Box::<CellList<f64, 2>>::default(), 2.6 * SPACING).with_periodic(periodic);
@@ -177,7 +177,7 @@ fn a_gliding_wall_is_smooth() {
         phase.add_wall(wall, &along, volume, |_| 100.0).unwrap();
         phase.add(&setup::fill([0.0; 2], size, SPACING), volume, |_| 100.0).unwrap();
         phase.set_velocity(|_| Vector([0.5, 0.0]));
-        let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * SPACING).unwrap(), phase)
+        let mixture = Mixture::<f64, 2>::of_water(WendlandC2::new(1.3 * SPACING).unwrap(), phase)
             .with_periodic(Periodic::new(Vector::zero(), [Some(1.0), None]).unwrap());
         let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).unwrap());
         run.start().unwrap();

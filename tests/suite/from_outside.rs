@@ -16,7 +16,7 @@ fn block<T: Real>(speed: f64) -> Mixture<T, 2> {
     let volume = T::of(SPACING * SPACING);
     water.add(&setup::fill([0.0, 0.0], [0.2, 0.2], SPACING), volume, |_| T::ZERO).unwrap();
     water.set_velocity(|_| Vector::of([speed, 0.0]));
-    Mixture::new(WendlandC2::new(T::of(1.3 * SPACING)).unwrap(), water)
+    Mixture::of_water(WendlandC2::new(T::of(1.3 * SPACING)).unwrap(), water)
         .with_density_diffusion(DensityDiffusion::None)
         .unwrap()
 }
@@ -25,7 +25,7 @@ fn block<T: Real>(speed: f64) -> Mixture<T, 2> {
 fn a_probe_finds_water_that_flies_as_one() {
     let mut run = Simulation::new(block::<f64>(1.0), LeapFrog::new(), StepSize::courant(0.2).unwrap());
     let _ = run.run_until(0.1, |_| ControlFlow::Continue(())).unwrap();
-    assert_eq!(run.mixture().neighbourhood().rebuilds(), 1, "the list should have lasted");
+    assert_eq!(run.mixture().water_neighbourhood().rebuilds(), 1, "the list should have lasted");
     let probe = run.mixture().probe(&Vector([0.2, 0.1]));
     assert!((probe.support - 1.0).abs() < 0.02, "support {}", probe.support);
     assert!((probe.velocity[0] - 1.0).abs() < 1e-12, "velocity {:?}", probe.velocity);

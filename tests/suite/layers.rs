@@ -4,13 +4,14 @@ use crate::source::{Source, has_word, library};
 
 /// Each part with the parts it may use, beside itself and the ground. Summation, material and time do
 /// not see each other; a material sees no kernel, time no particle, a search no mass.
-const MAY_USE: [(&str, &[&str]); 14] = [
+const MAY_USE: [(&str, &[&str]); 15] = [
     ("kernel", &[]),
     ("neighbours", &[]),
     ("summation", &["kernel", "neighbours"]),
     ("material", &[]),
+    ("driver", &["material"]),
     ("time", &[]),
-    ("budget", &[]),
+    ("budget", &["material"]),
     ("mixture", METHOD),
     ("setup", METHOD),
     ("preset", &["mixture", "kernel", "material", "time"]),

@@ -2,6 +2,7 @@
 
 use crate::tank::{Dam, hash};
 use alluvium::Real;
+use alluvium::material::Absent;
 use alluvium::mixture::{Slip, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{Integrator, LeapFrog, StepSize, VelocityVerlet};
@@ -11,7 +12,7 @@ const DAM: Dam = Dam { spacing: 0.005, ..Dam::SMALL };
 fn run<T: Real, I: Integrator<T>>(
     wall: &Wall<T, 2>,
     integrator: I,
-) -> Simulation<T, 2, Kernel<T>, Water<T>, I> {
+) -> Simulation<T, 2, Kernel<T>, Absent, Water<T>, I> {
     let step_size = StepSize::courant(T::of(0.2)).unwrap();
     Simulation::new(DAM.mixture(wall.clone()), integrator, step_size).with_reinitialisation(30)
 }
@@ -28,7 +29,7 @@ fn resumes<T: Real, I: Integrator<T>>(wall: &Wall<T, 2>, integrator: &I) {
     for _ in 0..250 {
         whole.step().unwrap();
     }
-    assert!(whole.mixture().neighbourhood().rebuilds() > 1, "the list was never renewed");
+    assert!(whole.mixture().water_neighbourhood().rebuilds() > 1, "the list was never renewed");
     let mut resumed = run(wall, integrator.clone());
     resumed.restore(snapshot.clone()).unwrap();
     assert_eq!((resumed.time(), resumed.steps()), (snapshot.time(), 250));

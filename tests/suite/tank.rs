@@ -1,7 +1,7 @@
 //! Small runs that several tests share.
 
 use alluvium::kernel::{Kernel, WendlandC2};
-use alluvium::material::{Material, Water};
+use alluvium::material::{Absent, Material, Water};
 use alluvium::mixture::{Mixture, Phase, Wall};
 use alluvium::{Real, Vector, setup};
 
@@ -25,7 +25,7 @@ impl Dam {
         kernel: K,
         law: F,
         wall: Wall<T, D>,
-    ) -> Mixture<T, D, K, F> {
+    ) -> Mixture<T, D, K, Absent, F> {
         let volume = T::of(self.spacing.powi(D as i32));
         let (water, tank) = (first::<D>(self.water), first::<D>(self.tank));
         let g = T::of(9.81);
@@ -36,7 +36,7 @@ impl Dam {
         phase.add(&setup::fill([0.0; D], water, self.spacing), volume, &still).unwrap();
         let mut down = Vector::zero();
         down[1] = -g;
-        Mixture::new(kernel, phase).with_gravity(down)
+        Mixture::of_water(kernel, phase).with_gravity(down)
     }
 
     /// The dam of water with c = 25 m/s and the Wendland C2 kernel, h = 1.3 Δx.
@@ -51,7 +51,9 @@ fn first<const D: usize>(x: [f64; 3]) -> [f64; D] {
 }
 
 /// A hash of every bit of the state: ids, positions, velocities, densities.
-pub fn hash<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(mixture: &Mixture<T, D, K, F>) -> u64 {
+pub fn hash<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
+    mixture: &Mixture<T, D, K, Absent, F>,
+) -> u64 {
     let water = mixture.water();
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut add = |bits: u64| hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(23);

@@ -31,7 +31,7 @@ fn still_tank(wall: &Wall<f64, 2>) -> Mixture<f64, 2> {
     phase.add_wall(wall.clone(), &floor, volume, &still).unwrap();
     phase.add_wall(wall.clone(), &sides, volume, &still).unwrap();
     phase.add(&setup::fill([0.0; 2], SIZE, SPACING), volume, &still).unwrap();
-    Mixture::new(WendlandC2::new(1.3 * SPACING).unwrap(), phase).with_gravity(Vector([0.0, -G]))
+    Mixture::of_water(WendlandC2::new(1.3 * SPACING).unwrap(), phase).with_gravity(Vector([0.0, -G]))
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn piston(wall: Wall<f64, 2>) -> [f64; 4] {
     phase.add_wall(wall.clone().moving(move |_, t| Vector([push(t), 0.0])), &left, volume, |_| 0.0).unwrap();
     phase.add_wall(wall, &others, volume, |_| 0.0).unwrap();
     phase.add(&setup::fill([0.0; 2], size, SPACING), volume, |_| 0.0).unwrap();
-    let mixture = Mixture::<f64, 2>::new(WendlandC2::new(1.3 * SPACING).unwrap(), phase);
+    let mixture = Mixture::<f64, 2>::of_water(WendlandC2::new(1.3 * SPACING).unwrap(), phase);
     let mut run = Simulation::new(mixture, VelocityVerlet::new(), StepSize::courant(0.1).unwrap());
     run.start().unwrap();
     let (start, mut work) = (run.budget(), 0.0);

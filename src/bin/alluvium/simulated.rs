@@ -4,7 +4,7 @@ use crate::solver::{DamBreak, Seen, Solver, Step, Stopped, View, quantity};
 use alluvium::budget::{Account, Budget};
 use alluvium::case::{Case, Field, Gauge, Quantity, Side};
 use alluvium::kernel::Kernel;
-use alluvium::material::Water;
+use alluvium::material::{Absent, Water};
 use alluvium::mixture::{Mixture, Phase};
 use alluvium::output::{Component, LengthError, Vtp};
 use alluvium::simulation::Simulation;
@@ -16,7 +16,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A simulation and what its records are measured against.
 pub struct Simulated<T: Real, const D: usize, K: Kernel<T, D>, I: Integrator<T>> {
-    simulation: Simulation<T, D, K, Water<T>, I>,
+    simulation: Simulation<T, D, K, Absent, Water<T>, I>,
     start: Budget<D>,
     /// The wall on each side, in the library's order.
     sides: Vec<Side>,
@@ -26,7 +26,7 @@ pub struct Simulated<T: Real, const D: usize, K: Kernel<T, D>, I: Integrator<T>>
 }
 
 impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Simulated<T, D, K, I> {
-    pub fn new(mut simulation: Simulation<T, D, K, Water<T>, I>, case: &Case) -> Self {
+    pub fn new(mut simulation: Simulation<T, D, K, Absent, Water<T>, I>, case: &Case) -> Self {
         // What is wrong with the start is told by the first step, when there is a folder to dump it in.
         simulation.start().ok();
         let start = simulation.budget();
@@ -77,7 +77,9 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sim
                 Field::Pressure => file.scalar(&name, water.pressures().iter().copied()),
                 Field::Density => file.scalar(&name, each.clone().map(|i| water.true_density(i))),
                 Field::Mass => file.scalar(&name, water.masses().iter().copied()),
-                Field::VolumeFraction => file.scalar(&name, water.volume_fractions().iter().copied()),
+                Field::VolumeFraction => {
+                    file.scalar(&name, (0..water.len()).map(|i| water.volume_fraction(i)))
+                }
                 Field::PartialDensity => file.scalar(&name, each.clone().map(|i| water.density(i))),
             }
         };

@@ -2,7 +2,7 @@
 
 use crate::tank::Dam;
 use alluvium::kernel::WendlandC2;
-use alluvium::material::{Loss, Material, Memory, Water};
+use alluvium::material::{Absent, Loss, Material, Memory, Water};
 use alluvium::mixture::{DensityDiffusion, Mixture, Phase, Slip, Wall};
 use alluvium::neighbours::Periodic;
 use alluvium::simulation::Simulation;
@@ -60,7 +60,7 @@ impl Material<f64> for Hooke {
     }
 }
 
-fn dam<F: Material<f64>>(law: F) -> Simulation<f64, 2, WendlandC2<f64, 2>, F, VelocityVerlet> {
+fn dam<F: Material<f64>>(law: F) -> Simulation<f64, 2, WendlandC2<f64, 2>, Absent, F, VelocityVerlet> {
     let dam = Dam { spacing: 0.01, ..Dam::SMALL };
     let kernel = WendlandC2::new(0.013).unwrap();
     let mixture = dam.of(kernel, law, Wall::extrapolated(Slip::FreeSlip));
@@ -152,7 +152,7 @@ fn a_law_with_a_memory_remembers_what_happened_to_its_particle() {
     phase.add(&setup::fill([0.0; 2], [1.0; 2], spacing), spacing * spacing, |_| 0.0).unwrap();
     phase.set_velocity(|x| Vector([0.5 * (2.0 * PI * x[0]).sin(), 0.2 * (2.0 * PI * x[1]).cos()]));
     let kernel = WendlandC2::new(1.3 * spacing).unwrap();
-    let mixture = Mixture::<f64, 2, _, _>::new(kernel, phase)
+    let mixture = Mixture::<f64, 2, _, _, _>::of_water(kernel, phase)
         .with_density_diffusion(DensityDiffusion::None)
         .unwrap()
         .with_periodic(Periodic::new(Vector::zero(), [Some(1.0); 2]).unwrap());

@@ -53,12 +53,12 @@ fn tank<T: Real, const D: usize>() -> Mixture<T, D> {
 
 #[test]
 fn it_gives_the_bits_of_the_cell_list() {
-    assert_eq!(state(tank::<f64, 2>().with_search(Box::new(Sweep::new()))), state(tank::<f64, 2>()));
-    assert_eq!(state(tank::<f32, 3>().with_search(Box::new(Sweep::new()))), state(tank::<f32, 3>()));
+    assert_eq!(state(tank::<f64, 2>().with_search(|| Box::new(Sweep::new()))), state(tank::<f64, 2>()));
+    assert_eq!(state(tank::<f32, 3>().with_search(|| Box::new(Sweep::new()))), state(tank::<f32, 3>()));
 }
 
 #[test]
 fn one_that_looks_too_near_does_not() {
-    let short = Sweep { reach: 0.7, ..Sweep::new() };
-    assert_ne!(state(tank::<f64, 2>().with_search(Box::new(short))), state(tank::<f64, 2>()));
+    let short = || -> Box<dyn NeighbourSearch<f64, 2>> { Box::new(Sweep { reach: 0.7, ..Sweep::new() }) };
+    assert_ne!(state(tank::<f64, 2>().with_search(short)), state(tank::<f64, 2>()));
 }

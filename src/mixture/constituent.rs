@@ -1,0 +1,113 @@
+//! A phase and what its own equations need: who is near whom, numerics, buffers.
+
+use super::setting::Setting;
+use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Phase, StepError};
+use crate::budget::Exchange;
+use crate::kernel::Kernel;
+use crate::material::Material;
+use crate::neighbours::CellList;
+use crate::real::Real;
+use crate::space::Vector;
+use crate::summation::{Aligned, Neighbourhood, Sums};
+use crate::time::Limits;
+
+/// Which of the two a constituent is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    Soil,
+    Water,
+}
+
+/// One of the two constituents of a mixture.
+pub(super) struct Constituent<T: Real, const D: usize, M: Material<T>> {
+    pub(super) role: Role,
+    pub(super) phase: Phase<T, D, M>,
+    pub(super) neighbourhood: Neighbourhood<T, D>,
+    pub(super) viscosity: ArtificialViscosity<T>,
+    pub(super) diffusion: DensityDiffusion<T>,
+    pub(super) gradient_weight: GradientWeight,
+    pub(super) strain_control: T,
+    pub(super) artificial_stress: Option<ArtificialStress<T>>,
+    /// Energy per time and force, at the last evaluation.
+    pub(super) exchange_rate: Exchange<D>,
+    pub(super) fastest_acceleration: T,
+    pub(super) scratch: Scratch<T, D>,
+}
+
+/// Buffers that live from one evaluation to the next.
+#[derive(Default)]
+pub(super) struct Scratch<T: Real, const D: usize> {
+    pub(super) records: Aligned<T>,
+    pub(super) sums: Sums<T>,
+    pub(super) extra: Sums<T>,
+    /// The velocity viscosity sees at each wall particle \[m/s\]; empty where no wall extrapolates.
+    pub(super) wall_velocity: Vec<Vector<T, D>>,
+    /// ∇v by rows \[1/s\]; empty without strain control.
+    pub(super) velocity_gradient: Vec<[Vector<T, D>; D]>,
+}
+
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
+    /// With the default numerics of its role.
+    pub(super) fn new(role: Role, phase: Phase<T, D, M>, support: T) -> Self {
+        let (linear, diffusion) = match role {
+            Role::Soil => (0.1, DensityDiffusion::None),
+            Role::Water => (0.01, DensityDiffusion::Hydrostatic(T::of(0.1))),
+        };
+        Self {
+            role,
+            phase,
+            neighbourhood: Neighbourhood::new(Box::new(CellList::default()), support),
+            viscosity: ArtificialViscosity { linear: T::of(linear), quadratic: T::ONE },
+            diffusion,
+            gradient_weight: GradientWeight::default(),
+            strain_control: T::ZERO,
+            artificial_stress: None,
+            exchange_rate: Exchange::default(),
+            fastest_acceleration: T::ZERO,
+            scratch: Scratch::default(),
+        }
+    }
+
+    /// The equations of one constituent alone.
+    pub(super) fn evaluate<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
+        if self.phase.is_empty() {
+            return Ok(());
+        }
+        self.check_fields(setting)?;
+        self.find_neighbours();
+        self.find_pressure(); // (16), (20)
+        self.extrapolate_walls(setting);
+        self.find_stress(setting); // (62), (14), (15); (65), (66), (33)
+        self.sum_own_pairs(setting); // (52), (58); (53), (55)
+        self.add_renormalised_diffusion(setting); // (52), second sum, in the form of Antuono et al.
+        self.add_strain_control(setting);
+        self.add_artificial_stress(setting);
+        self.add_body_forces(setting);
+        self.check_rates(setting)
+    }
+
+    /// Limits of the time step \[s\], from the last evaluation.
+    pub(super) fn limits(&self, h: T) -> Limits<T> {
+        if self.phase.is_empty() {
+            return Limits::none();
+        }
+        let nu = self.phase.material().kinematic_viscosity();
+        let a = self.fastest_acceleration;
+        let or_infinite = |positive: bool, limit: T| if positive { limit } else { T::INFINITY };
+        Limits {
+            acoustic: h / self.phase.material().fastest_wave(),
+            viscous: or_infinite(nu > T::ZERO, T::of(0.125) * h * h / nu),
+            force: or_infinite(a > T::ZERO, T::of(0.25) * (h / a).sqrt()),
+        }
+    }
+
+    /// Bytes held in particle arrays, lists and buffers.
+    pub(super) fn bytes(&self) -> usize {
+        let scratch = &self.scratch;
+        self.phase.bytes()
+            + self.neighbourhood.bytes()
+            + scratch.records.bytes()
+            + scratch.sums.bytes()
+            + scratch.extra.bytes()
+    }
+}

@@ -1,0 +1,156 @@
+//! The numerical choices of a mixture, and what acts on it from outside.
+
+use super::setting::BodyForce;
+use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture};
+use crate::error::ParameterError;
+use crate::kernel::Kernel;
+use crate::lanes::InstructionSet;
+use crate::material::Material;
+use crate::neighbours::{NeighbourSearch, Periodic};
+use crate::real::Real;
+use crate::space::Vector;
+use crate::summation::Neighbourhood;
+use std::sync::Arc;
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
+    /// Gravity g \[m/s²\].
+    pub fn with_gravity(mut self, gravity: Vector<T, D>) -> Self {
+        self.setting.gravity = gravity;
+        self
+    }
+
+    /// A body force per mass, `acceleration(x, t)` \[m/s²\], beside gravity; its work is booked as
+    /// external. Extrapolated walls and hydrostatic diffusion know gravity alone: use
+    /// [`with_gravity`](Self::with_gravity) for what presses the water against a wall.
+    pub fn with_force(
+        mut self,
+        acceleration: impl Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync + 'static,
+    ) -> Self {
+        self.setting.force = Some(BodyForce { acceleration: Arc::new(acceleration), potential: None });
+        self
+    }
+
+    /// A body force per mass with the potential `potential(x, t)` \[J/kg\] it derives from. The ledger
+    /// closes if the potential does not change in time.
+    pub fn with_conservative_force(
+        mut self,
+        acceleration: impl Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync + 'static,
+        potential: impl Fn(&Vector<T, D>, f64) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        self.setting.force =
+            Some(BodyForce { acceleration: Arc::new(acceleration), potential: Some(Arc::new(potential)) });
+        self
+    }
+
+    /// Artificial viscosity (59) of water.
+    ///
+    /// # Errors
+    /// A factor is negative or not finite.
+    pub fn with_artificial_viscosity(
+        mut self,
+        factors: ArtificialViscosity<T>,
+    ) -> Result<Self, ParameterError> {
+        self.water.viscosity = factors.checked()?;
+        Ok(self)
+    }
+
+    /// Artificial viscosity (59) of soil.
+    ///
+    /// # Errors
+    /// A factor is negative or not finite.
+    pub fn with_soil_artificial_viscosity(
+        mut self,
+        factors: ArtificialViscosity<T>,
+    ) -> Result<Self, ParameterError> {
+        self.soil.viscosity = factors.checked()?;
+        Ok(self)
+    }
+
+    /// Density diffusion (52), (54) of water.
+    ///
+    /// # Errors
+    /// The coefficient is not in [0, 1].
+    pub fn with_density_diffusion(mut self, diffusion: DensityDiffusion<T>) -> Result<Self, ParameterError> {
+        self.water.diffusion = diffusion.checked()?;
+        Ok(self)
+    }
+
+    /// Artificial stress in soil under tension, which only cohesion can bear (Gray, Monaghan & Swift 2001);
+    /// none by default.
+    ///
+    /// # Errors
+    /// The strength is not in \[0, 1\], the exponent not in 1 … 10, or the spacing not positive.
+    pub fn with_artificial_stress(mut self, stress: ArtificialStress<T>) -> Result<Self, ParameterError> {
+        self.soil.artificial_stress = Some(stress.checked()?);
+        Ok(self)
+    }
+
+    /// Density diffusion (53), (54) of soil, as printed: δ \[-\], 0 for none, the default. It diffuses the
+    /// volume fraction and damps no pressure, which does not depend on the density of rigid grains.
+    ///
+    /// # Errors
+    /// The coefficient is not in [0, 1].
+    pub fn with_soil_density_diffusion(mut self, coefficient: T) -> Result<Self, ParameterError> {
+        self.soil.diffusion = match DensityDiffusion::PartialDensity(coefficient).checked()? {
+            diffusion if coefficient > T::ZERO => diffusion,
+            _ => DensityDiffusion::None,
+        };
+        Ok(self)
+    }
+
+    /// Weight of a neighbour in the velocity gradient.
+    pub fn with_gradient_weight(mut self, weight: GradientWeight) -> Self {
+        self.soil.gradient_weight = weight;
+        self.water.gradient_weight = weight;
+        self
+    }
+
+    /// Viscosity of motion that the velocity gradient (62) of water does not see, of strength ξ \[-\]; 0, the
+    /// default, is none, 1 is as viscous as the gradient's own.
+    ///
+    /// The gradient of a velocity that alternates from particle to particle is zero, so (58) with (62)
+    /// neither damps it nor holds it at a wall: flows in which viscosity leads need the control.
+    ///
+    /// # Errors
+    /// The strength is not in [0, 2].
+    pub fn with_strain_control(mut self, strength: T) -> Result<Self, ParameterError> {
+        if !(strength >= T::ZERO && strength <= T::of(2.0)) {
+            return Err(ParameterError::new("strain_control", strength, "from 0 to 2"));
+        }
+        self.water.strain_control = strength;
+        Ok(self)
+    }
+
+    /// Another neighbour search, of which each constituent gets one; results do not depend on it.
+    pub fn with_search(self, search: impl Fn() -> Box<dyn NeighbourSearch<T, D>>) -> Self {
+        let support = self.setting.kernel.support();
+        self.with_neighbourhoods(|old| {
+            Neighbourhood::new(search(), support)
+                .with_skin(old.skin())
+                .with_periodic(*old.periodic())
+                .with_instruction_set(old.instruction_set())
+        })
+    }
+
+    /// Lists neighbours this much beyond the support \[m\]: a matter of speed, and of the moments at which
+    /// particles are re-sorted.
+    pub fn with_skin(self, skin: T) -> Self {
+        self.with_neighbourhoods(|old| old.with_skin(skin))
+    }
+
+    /// Lets space repeat itself.
+    pub fn with_periodic(self, periodic: Periodic<T, D>) -> Self {
+        self.with_neighbourhoods(|old| old.with_periodic(periodic))
+    }
+
+    /// Uses these instructions; results do not depend on them.
+    pub fn with_instruction_set(self, set: InstructionSet) -> Self {
+        self.with_neighbourhoods(|old| old.with_instruction_set(set))
+    }
+
+    fn with_neighbourhoods(mut self, change: impl Fn(Neighbourhood<T, D>) -> Neighbourhood<T, D>) -> Self {
+        self.soil.neighbourhood = change(self.soil.neighbourhood);
+        self.water.neighbourhood = change(self.water.neighbourhood);
+        self
+    }
+}
