@@ -166,7 +166,8 @@ impl Chart {
         if log {
             return (low / 1.3, high * 1.3);
         }
-        let room = 0.05 * (high - low).max(1e-9 * high.abs()).max(1e-300);
+        // What varies by rounding alone is drawn as the constant it is.
+        let room = 0.05 * (high - low).max(1e-3 * high.abs()).max(1e-300);
         let near_zero = low >= 0.0 && low < 0.3 * high;
         (if near_zero { 0.0 } else { low - room }, high + room)
     }
