@@ -175,7 +175,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if holds {
             v_wall - slip_velocity
         } else {
-            v_wall + slip_velocity - lever * (lever.dot(slip_velocity) / lever.norm2().max(tiny()))
+            // Soil does not feel how far the wall is, only how fast it nears: the wall comes to meet it.
+            let returned = if M::RIGID_GRAINS { T::of(2.0) } else { T::ONE };
+            v_wall + slip_velocity - lever * (returned * lever.dot(slip_velocity) / lever.norm2().max(tiny()))
         }
     }
 
