@@ -13,6 +13,7 @@ mod kernels;
 mod lane_code;
 mod lattice_sums;
 mod layers;
+mod links;
 mod neighbours;
 mod output;
 mod outside;
