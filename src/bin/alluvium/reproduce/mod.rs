@@ -1,7 +1,9 @@
 //! Results of the paper, each from one command.
 
+mod bars;
 mod convergence;
 mod dam_break;
+mod ledger;
 
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
