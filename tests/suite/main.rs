@@ -5,6 +5,8 @@ mod case;
 #[cfg(feature = "case")]
 mod case_build;
 mod determinism;
+#[cfg(feature = "cli")]
+mod drive;
 mod errata;
 mod forensics;
 mod from_outside;
