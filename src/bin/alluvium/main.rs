@@ -1,4 +1,4 @@
-//! The program `alluvium`: runs cases of water and shows what came out.
+//! The program `alluvium`: runs cases of soil or water and shows what came out.
 
 mod arguments;
 mod connect;
