@@ -23,6 +23,11 @@ mod operators;
 mod operators_exact;
 mod powers;
 mod scene;
+mod soil;
+mod soil_plate;
+mod soil_rates;
+mod soil_walls;
+mod soil_waves;
 mod sound;
 mod still_tank;
 mod tanks;
@@ -51,6 +56,10 @@ fn studies() -> Vec<Study> {
         channel::studies(),
         tanks::studies(),
         drops::studies(),
+        soil_rates::studies(),
+        soil_plate::studies(),
+        soil_walls::studies(),
+        soil_waves::studies(),
     ]
     .into_iter()
     .flatten()
