@@ -104,7 +104,7 @@ fn cloud<T: Real, const D: usize, Y: YieldSurface<T>>(
     });
     phase.add_wall(wall, &walls, volume, |_| T::ZERO).expect("a wall");
     phase.add(&free, volume, |_| T::ZERO).expect("particles");
-    phase.set_volume_fraction(|_| T::of(0.6));
+    phase.set_volume_fraction(|x| T::of(0.6 + 0.1 * random(x, 3)));
     let soil = phase.material().clone();
     phase.set_stress(|x| {
         let raw = SymTensor(core::array::from_fn(|k| T::of(5e4 * random(x, seed ^ (11 + k as u64)))));

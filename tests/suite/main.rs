@@ -4,6 +4,10 @@
 mod case;
 #[cfg(feature = "case")]
 mod case_build;
+#[cfg(feature = "case")]
+mod case_soil;
+#[cfg(feature = "case")]
+mod case_soil_build;
 mod determinism;
 #[cfg(feature = "cli")]
 mod drive;

@@ -1,4 +1,4 @@
-//! The program `alluvium`: runs cases and laws, and shows what came out.
+//! The program `alluvium`: runs cases of soil or water, drives laws, and shows what came out.
 
 mod arguments;
 mod connect;

@@ -21,7 +21,7 @@ pub struct Finished {
     pub folder: RunFolder,
     /// Steps it took.
     pub steps: u64,
-    /// Particles of water and of walls.
+    /// Particles that move, and of walls.
     pub particles: (usize, usize),
     /// How long it took \[s\].
     pub wall_clock: f64,
@@ -224,11 +224,11 @@ impl<'a, 'b> Run<'a, 'b> {
 
     fn log_row(&self, solver: &dyn Solver, step: Step) -> String {
         let (time, steps, part) = (solver.time(), solver.steps(), solver.time() / self.case.end_time);
-        let (water, walls) = solver.particles();
+        let (moving, walls) = solver.particles();
         let wall = self.reporter.elapsed();
-        let speed = (water + walls) as f64 * steps as f64 / wall.max(1e-9) / 1e6;
+        let speed = (moving + walls) as f64 * steps as f64 / wall.max(1e-9) / 1e6;
         format!(
-            "dump {:04}  t = {time:.5} s  step {steps}  Δt = {:.3e} s ({})  {water} water + {walls} wall \
+            "dump {:04}  t = {time:.5} s  step {steps}  Δt = {:.3e} s ({})  {moving} + {walls} wall \
              particles  {speed:.1} M particle-steps/s  left {}",
             self.dumps,
             step.length,

@@ -73,7 +73,7 @@ fn noise(table: &mut Bars, case: &Case, watch: &Watch<'_>) {
 }
 
 fn closure(table: &mut Bars, case: &Case, results: &Results) {
-    let booked = case.water.reinitialisation_every > 0;
+    let booked = case.water.as_ref().map_or(0, |water| water.reinitialisation_every) > 0;
     let (bar, kind) = if booked { (2e-3, "with (70) booked") } else { (1e-4, "without (70)") };
     let last = results.ledger.closure.last().copied().unwrap_or(0.0);
     let largest = results.ledger.closure.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
