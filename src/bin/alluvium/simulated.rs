@@ -12,6 +12,7 @@ use alluvium::output::{Component, Vtp};
 use alluvium::simulation::Simulation;
 use alluvium::time::Integrator;
 use alluvium::verify::dam_break::{self, Reference};
+use alluvium::verify::sand_column::{Pile, Section};
 use alluvium::{Real, Vector};
 use constituent::{Start, fastest, file, front, inner, place};
 
@@ -192,5 +193,9 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
             stuck: dam_break::stuck(mixture),
             velocity: reference.velocity_error(mixture),
         }
+    }
+
+    fn pile(&self, section: Section) -> Pile {
+        Pile::of(self.mixture(), section)
     }
 }

@@ -3,6 +3,7 @@
 use alluvium::case::{Field, Gauge};
 use alluvium::output::Vtp;
 use alluvium::verify::dam_break::{Reference, VelocityError};
+use alluvium::verify::sand_column::{Pile, Section};
 
 /// One step that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +76,11 @@ pub trait Solver {
 
     /// What is measured on a dam break, against a finite-volume solution of it.
     fn dam_break(&self, reference: &Reference) -> DamBreak;
+
+    /// The soil in a section, for what is measured on a column of sand; none unless a solver has soil.
+    fn pile(&self, section: Section) -> Pile {
+        Pile::new(section, 0.0, Vec::new())
+    }
 }
 
 /// Measures of a dam break at one instant.

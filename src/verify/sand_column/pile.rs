@@ -66,10 +66,10 @@ pub struct Grain {
 ///
 /// The **surface** at x is the highest place where the soil fills half of what a kernel reaches,
 /// `Σ V_j W = ½`, on the section with its images behind wall and floor. Half is what a level surface of
-/// a lattice has exactly half a spacing above its upper row, at any resolution; the highest
-/// particle, the other choice, is a spacing wrong where one grain lies on a slope, and calls
-/// grains that lie about alone a surface. The kernel is Wendland's C2 with 1.3 spacings whatever the run's, so that runs
-/// compare.
+/// a lattice has half a spacing above its upper row, within a hundredth of a spacing at any resolution. The
+/// highest particle, the other choice, is a spacing wrong where one grain lies on a slope, and takes grains
+/// that lie about alone for a surface. The kernel is Wendland's C2 with 1.3 spacings whatever the run's, so
+/// that runs compare, and no particle fills more than the mean volume.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pile {
     section: Section,
@@ -117,13 +117,16 @@ impl Pile {
     /// The spacing is not positive although there are particles.
     pub fn new(section: Section, spacing: f64, mut grains: Vec<Grain>) -> Self {
         grains.sort_by_key(|grain| grain.id);
-        let length = SMOOTHING * if grains.is_empty() { 1.0 } else { spacing };
-        let kernel = WendlandC2::new(length).expect("a positive spacing");
+        let spacing = if grains.is_empty() { 1.0 } else { spacing };
+        let kernel = WendlandC2::new(SMOOTHING * spacing).expect("a positive spacing");
         let mut pile = Self { section, spacing, grains, kernel, columns: HashMap::new() };
+        let mean = pile.volume() / pile.grains.len().max(1) as f64;
         for grain in &pile.grains {
             let [x, y] = grain.place;
+            // The density of grains that have flown apart says that they fill more than they do.
+            let volume = grain.volume.min(mean);
             // On the axis itself a section has no depth.
-            let area = grain.volume / section.depth(x.abs().max(0.25 * spacing));
+            let area = volume / section.depth(x.abs().max(0.25 * spacing));
             for image in [[x, y], [-x, y], [x, -y], [-x, -y]] {
                 let column = column(image[0], kernel.support());
                 pile.columns.entry(column).or_default().push((image, area));

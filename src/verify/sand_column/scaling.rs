@@ -1,6 +1,7 @@
 //! How far columns of other shapes run.
 
-/// Normalised run-out `(L∞ − L₀)/L₀` \[-\] of a column `width` L₀ \[m\] wide whose heap ends at `front` \[m\].
+/// Normalised run-out `(L∞ − L₀)/L₀` \[-\] of a column `width` L₀ \[m\] wide whose heap ends at `front`
+/// L∞ \[m\].
 pub fn run_out(front: f64, width: f64) -> f64 {
     (front - width) / width
 }

@@ -28,11 +28,13 @@ fn stress_path(options: &DriveOptions, answer: &Answer) -> Chart {
     let path: Vec<_> = p.into_iter().zip(root).map(|(p, root)| (p, 3_f64.sqrt() * root)).collect();
     let first: Vec<_> = path.first().copied().into_iter().collect();
     let (title, x) = (format!("{}: stress path", title(options)), "mean pressure p [kPa]");
+    // What is all rounding shall not fill an axis.
+    let largest = path.iter().map(|p| p.0.abs().max(p.1)).fold(0.0, f64::max).max(1e-9);
     let range = |of: fn(&(f64, f64)) -> f64| {
         let low = path.iter().map(of).fold(0.0, f64::min);
-        let high = path.iter().map(of).fold(0.0, f64::max);
-        let room = 0.06 * (high - low).max(1e-9);
-        (if low < 0.0 { low - room } else { 0.0 }, high + room)
+        let high = path.iter().map(of).fold(0.0, f64::max).max(low + 0.1 * largest);
+        let room = 0.04 * (high - low);
+        (low - room, high + room)
     };
     let (along, up) = (range(|p| p.0), range(|p| p.1));
     Chart::new(&title, x, "q = √(3J₂) [kPa]")

@@ -30,21 +30,34 @@ impl Ledger {
         })
     }
 
-    /// Stored and taken energy, stacked: the top edge is level if all is accounted for.
+    /// Stored and taken energy, stacked; what terms gave lies below zero, and lifts the top edge, which is
+    /// level otherwise if all is accounted for.
     pub fn svg(&self, title: &str) -> String {
         let whole: f64 = self.energies.iter().filter_map(|(_, e)| e.first()).sum();
         // As many points as there are pixels in the width of two.
         let every = (self.time.len() / 250).max(1);
-        let shares = |e: &Vec<f64>| e.iter().step_by(every).map(|e| e / whole).collect::<Vec<_>>();
         let time: Vec<f64> = self.time.iter().step_by(every).copied().collect();
-        // What never holds a five-hundredth cannot be seen.
-        let seen = |e: &Vec<f64>| e.iter().any(|e| e.abs() > 2e-3 * whole);
-        let energies = self.energies.iter().filter(|(_, e)| seen(e));
-        let parts: Vec<_> = energies.map(|(name, e)| (name.as_str(), shares(e))).collect();
+        let parts = |sign: f64| -> Vec<(String, Vec<f64>)> {
+            let share = |e: &f64| sign * (sign * e / whole).max(0.0);
+            let shares = |e: &Vec<f64>| e.iter().step_by(every).map(share).collect::<Vec<_>>();
+            // What never holds a five-hundredth cannot be seen.
+            let seen = |e: &Vec<f64>| e.iter().any(|e| e.abs() > 2e-3);
+            let named = self.energies.iter().map(|(name, e)| (name.clone(), shares(e)));
+            named.filter(|(_, e)| seen(e)).collect()
+        };
+        let (held, given) = (parts(1.0), parts(-1.0));
+        let given = given.into_iter().map(|(name, e)| (name.replace("taken by", "given by"), e));
+        let given: Vec<_> = given.collect();
+        let lowest = given.iter().map(|(_, e)| e.iter().copied().fold(0.0, f64::min)).sum::<f64>();
+        let stack = |parts: &[(String, Vec<f64>)]| {
+            let parts: Vec<_> = parts.iter().map(|(name, e)| (name.as_str(), e.clone())).collect();
+            Series::stack(&time, &parts)
+        };
         Chart::new(title, "time [s]", "energy / energy at the start")
             .x_range(0.0, self.time.last().copied().unwrap_or(1.0))
-            .y_range(0.0, 1.05)
-            .with_all(Series::stack(&time, &parts))
+            .y_range(1.2 * lowest, 1.05 - lowest)
+            .with_all(stack(&held))
+            .with_all(stack(&given))
             .svg()
     }
 }
