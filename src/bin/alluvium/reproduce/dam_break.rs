@@ -104,8 +104,8 @@ pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, du
 /// What the history and the published data say.
 pub(super) struct Results {
     time: Vec<f64>,
-    /// Times and steps \[s\], those cut short by an instant of output left out.
-    steps: Vec<(f64, f64)>,
+    /// Times, steps \[s\] and what bounded them, those cut short by an instant of output left out.
+    steps: Vec<(f64, f64, String)>,
     front: Curve,
     /// Names and energies, stored first, then what terms took.
     energies: Vec<(String, Vec<f64>)>,
@@ -127,7 +127,8 @@ impl Results {
         let closure = history.column(quantity::CLOSURE)?.into_iter().map(|x| x / whole).collect();
         let limits = history.text("limit")?;
         let steps = time.iter().copied().zip(history.column("time_step [s]")?).zip(limits);
-        let steps = steps.filter(|(_, limit)| !["none", "end"].contains(limit)).map(|(step, _)| step);
+        let steps = steps.filter(|(_, limit)| !["none", "end"].contains(limit));
+        let steps = steps.map(|((time, step), limit)| (time, step, limit.to_owned()));
         Ok(Self {
             steps: steps.collect(),
             front: Curve::new(front),
