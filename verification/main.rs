@@ -13,6 +13,9 @@ mod bench;
 mod channel;
 mod dam_break;
 mod dam_run;
+mod driver;
+mod driver_laws;
+mod driver_turning;
 mod drops;
 mod fits;
 mod flags;
@@ -60,6 +63,8 @@ fn studies() -> Vec<Study> {
         soil_plate::studies(),
         soil_walls::studies(),
         soil_waves::studies(),
+        driver::studies(),
+        driver_turning::studies(),
     ]
     .into_iter()
     .flatten()

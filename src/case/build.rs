@@ -22,6 +22,9 @@ use core::fmt;
 /// The law of a case's soil: one type whatever its yield surface, and also where there is no soil.
 pub type SoilLaw<T> = Soil<T, AnySurface<T>>;
 
+/// The simulation of a case.
+pub type CaseSimulation<T, const D: usize, K, I> = Simulation<T, D, K, SoilLaw<T>, Water<T>, I>;
+
 type SearchMaker<T, const D: usize> = fn() -> Box<dyn NeighbourSearch<T, D>>;
 
 /// Why a case could not be built.
@@ -93,7 +96,7 @@ impl Case {
         &self,
         kernel: K,
         integrator: I,
-    ) -> Result<Simulation<T, D, K, SoilLaw<T>, Water<T>, I>, BuildError> {
+    ) -> Result<CaseSimulation<T, D, K, I>, BuildError> {
         let mixture = self.mixture(kernel)?;
         let step_size = match self.time.step {
             StepSize::Courant(number) => time::StepSize::courant(T::of(number)),

@@ -32,7 +32,7 @@ mod write;
 
 pub use crate::mixture::Slip;
 pub use crate::preset::Preset;
-pub use build::{BuildError, SoilLaw};
+pub use build::{BuildError, CaseSimulation, SoilLaw};
 pub use choice::{
     Axis, Choice, DiffusionKind, Field, InitialPressure, InitialStress, IntegratorChoice, KernelChoice,
     Precision, Quantity, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,

@@ -52,6 +52,16 @@ impl core::error::Error for DriveError {}
 /// Steps of Newton's method before it is given up.
 const ITERATIONS: usize = 60;
 
+/// A strain that was tried.
+#[derive(Clone, Copy, Debug)]
+struct Attempt<T, S> {
+    strain: SymTensor<T>,
+    state: State<T, S>,
+    miss: SymTensor<T>,
+    /// Rounding of a stress this large, and of the strain that makes it \[Pa\].
+    rounding: T,
+}
+
 impl<T: Real, M: Material<T>> Driver<T, M> {
     /// The state after one increment; `guess` is the strain of the one before, and becomes its own.
     pub(super) fn increment(
@@ -59,41 +69,41 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
         target: &Target<T>,
         guess: &mut SymTensor<T>,
     ) -> Result<State<T, M::Memory>, DriveError> {
-        let stiffness = self.stiffness();
         for (strain, aim) in guess.0.iter_mut().zip(&target.components) {
             if let Aim::Strain(given) = aim {
                 *strain = *given;
             }
         }
-        let mut best: Option<(T, State<T, M::Memory>, SymTensor<T>)> = None;
-        let mut strain = *guess;
+        let mut best = self.attempt(target, guess).ok_or(DriveError::NotFinite { increment: 0 })?;
+        let mut correction = self.correction(target, &best);
         for _ in 0..ITERATIONS {
-            let state = self.strained(&strain, &target.turn, target.dt);
-            if !(state.memory.is_finite() && state.stress.0.iter().all(|x| x.is_finite())) {
+            if largest(&best.miss) <= best.rounding {
                 break;
             }
-            let miss = missed(target, &state.stress);
-            let size = largest(&miss);
-            if best.as_ref().is_none_or(|best| size < best.0) {
-                best = Some((size, state, strain));
-            }
-            // Rounding of a stress this large, and of the strain that makes it.
-            let rounding = T::EPSILON * (largest(&state.stress) + stiffness * largest(&strain));
-            if size <= rounding {
-                break;
-            }
-            match self.correction(target, &strain, &state.stress, &miss) {
-                Some(correction) => strain = strain - correction,
-                None => break,
+            match self.attempt(target, &(best.strain - correction)) {
+                Some(attempt) if largest(&attempt.miss) < largest(&best.miss) => {
+                    best = attempt;
+                    correction = self.correction(target, &best);
+                }
+                // Too far: half of the way.
+                _ => correction = correction * T::of(0.5),
             }
         }
-        let (miss, state, strain) = best.ok_or(DriveError::NotFinite { increment: 0 })?;
-        let tolerated = T::of(64.0) * T::EPSILON * (largest(&state.stress) + stiffness * largest(&strain));
-        if miss > tolerated {
-            return Err(DriveError::StressNotFound { increment: 0, missed_by: miss.as_f64() });
+        let missed_by = largest(&best.miss);
+        if missed_by > T::of(64.0) * best.rounding {
+            return Err(DriveError::StressNotFound { increment: 0, missed_by: missed_by.as_f64() });
         }
-        *guess = strain;
-        Ok(state)
+        *guess = best.strain;
+        Ok(best.state)
+    }
+
+    /// What a strain gives; none if that is not finite.
+    fn attempt(&self, target: &Target<T>, strain: &SymTensor<T>) -> Option<Attempt<T, M::Memory>> {
+        let state = self.strained(strain, &target.turn, target.dt);
+        let is_finite = state.memory.is_finite() && state.stress.0.iter().all(|x| x.is_finite());
+        let miss = missed(target, &state.stress);
+        let rounding = T::EPSILON * (largest(&state.stress) + self.stiffness() * largest(strain));
+        is_finite.then_some(Attempt { strain: *strain, state, miss, rounding })
     }
 
     /// `ρ̃₀ c²` \[Pa\].
@@ -102,15 +112,10 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
         self.material.reference_density() * c * c
     }
 
-    /// Newton's correction of the strain, with differences for derivatives; none if there is no
-    /// strain that changes the stress as needed.
-    fn correction(
-        &self,
-        target: &Target<T>,
-        strain: &SymTensor<T>,
-        stress: &SymTensor<T>,
-        miss: &SymTensor<T>,
-    ) -> Option<SymTensor<T>> {
+    /// Newton's correction of the strain, with differences for derivatives; as if elastic where no
+    /// strain changes the stress, as at an apex.
+    fn correction(&self, target: &Target<T>, at: &Attempt<T, M::Memory>) -> SymTensor<T> {
+        let Attempt { strain, state: State { stress, .. }, miss, .. } = at;
         let stiffness = self.stiffness();
         let scale = largest(strain).max(largest(miss) / stiffness);
         let step = scale.max(T::EPSILON.sqrt() * largest(stress) / stiffness) * T::EPSILON.powf(T::of(0.25));
@@ -128,14 +133,14 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
                 }
             }
         }
-        let inverse = T::inverse(&matrix)?;
+        let Some(inverse) = T::inverse(&matrix) else { return *miss * (T::ONE / stiffness) };
         let mut correction = SymTensor::zero();
         for (value, row) in correction.0.iter_mut().zip(&inverse) {
             for (&factor, &miss) in row.iter().zip(&miss.0) {
                 *value += factor * (miss / stiffness);
             }
         }
-        Some(correction)
+        correction
     }
 }
 

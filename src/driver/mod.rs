@@ -120,12 +120,15 @@ impl<T: Real, M: Material<T>> Driver<T, M> {
             stage = before.memory.advanced(rate, reach * dt);
             density = self.compressed(strain.trace() * reach);
         }
+        let trial = stress(law, &gradient, self.compressed(strain.trace()), &state.memory);
         let (memory, taken) = law.admit(state.memory);
         add(&mut state.lost, &taken, T::ONE);
         state.memory = memory;
         state.compression = self.compressed(strain.trace());
         state.strain = before.strain + *strain;
         state.stress = stress(law, &gradient, state.compression, &memory);
+        // The work is that of the admitted stress: a trial beyond it was never there.
+        state.work -= (trial - state.stress).double_dot(strain) * T::of(0.5);
         state
     }
 

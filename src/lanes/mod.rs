@@ -5,16 +5,26 @@
 //! loops may appear in code that runs in lanes: a closure loses the instruction set it is called for.
 //!
 //! Operators on lanes are safe, yet need instructions the processor may lack; so nobody outside can
-//! name lanes, or an instruction set that was not detected:
+//! name lanes, or an instruction set that was not detected. Each of these is refused, and stands below
+//! its twin, which is taken and differs from it in one name:
 //!
-//! ```compile_fail,E0576
-//! type Wide = <f32 as alluvium::Real>::Avx512;
 //! ```
-//! ```compile_fail,E0576
-//! fn wide<T: alluvium::Real>(x: <T as alluvium::Real>::Avx512) {}
+//! fn narrow<T: alluvium::Real>(x: T::Scalar) {}
 //! ```
 //! ```compile_fail,E0624
 //! fn wide<T: alluvium::Real>(x: T::Avx512) {}
+//! ```
+//! ```
+//! type Narrow = <f32 as alluvium::real::Num>::Scalar;
+//! ```
+//! ```compile_fail,E0576
+//! type Wide = <f32 as alluvium::real::Real>::Avx512;
+//! ```
+//! ```compile_fail,E0603
+//! type Wide = <f32 as alluvium::lanes::Vectors>::Avx512;
+//! ```
+//! ```
+//! let set = alluvium::InstructionSet::detect();
 //! ```
 //! ```compile_fail,E0423
 //! let set = alluvium::InstructionSet(3);

@@ -142,7 +142,8 @@ impl<T: Real> DruckerPrager<T> {
     /// # Errors
     /// It is negative or not a number.
     pub fn with_tension_cut_off(mut self, tension: T) -> Result<Self, ParameterError> {
-        if !(tension >= T::ZERO) {
+        let allowed = tension >= T::ZERO;
+        if !allowed {
             return Err(ParameterError::new("tension_cut_off", tension, "zero or positive [Pa]"));
         }
         self.largest_tension = self.largest_tension.min(tension);
@@ -172,7 +173,7 @@ impl<T: Real> DruckerPrager<T> {
 
     /// Whether the limit of tension is the cone's own apex.
     fn ends_in_apex(&self) -> bool {
-        !(self.strength(-self.largest_tension) > T::of(16.0) * T::EPSILON * self.cohesion)
+        self.strength(-self.largest_tension) <= T::of(16.0) * T::EPSILON * self.cohesion
     }
 
     /// What is left where tension ends: the shear the cone bears there, at most `shear` \[Pa\].
@@ -220,7 +221,8 @@ impl<T: Real> YieldSurface<T> for DruckerPrager<T> {
         let deviator = *trial - SymTensor::isotropic(mean);
         let shear = (deviator.double_dot(&deviator) * T::of(0.5)).sqrt(); // (28)
         let excess = shear - self.strength(-mean); // (27)
-        if !(excess > T::ZERO) {
+        let outside = excess > T::ZERO;
+        if !outside {
             let torn = mean > self.largest_tension;
             return if torn { self.cut(&deviator, shear) } else { Returned::inside(*trial) };
         }
@@ -244,7 +246,8 @@ impl<T: Real> YieldSurface<T> for DruckerPrager<T> {
             return self.cut(&deviator, shear);
         }
         let strength = self.strength(-mean);
-        if !(shear > strength) {
+        let outside = shear > strength;
+        if !outside {
             return Returned::inside(*stress);
         }
         let stress = deviator * (strength / shear) + SymTensor::isotropic(mean);

@@ -57,11 +57,11 @@ impl<T: Real> MohrCoulomb<T> {
     /// The larger principal stress that yields with a smaller one \[Pa\].
     fn partner(&self, smaller: T) -> T {
         let s = self.sin_friction;
-        (smaller * (s - T::ONE) + T::of(2.0) * self.strength) / (T::ONE + s)
+        (smaller * (T::ONE - s) + T::of(2.0) * self.strength) / (T::ONE + s)
     }
 
     /// Principal stresses after the return to the face, or the trial's if that is not where it goes.
-    fn to_face(&self, relief: &Relief<T>, trial: [T; 3]) -> Option<[T; 3]> {
+    fn face(&self, relief: &Relief<T>, trial: [T; 3]) -> Option<[T; 3]> {
         let multiplier = self.between(trial[0], trial[2]) / relief.own;
         let third = trial[2] + relief.smallest * multiplier;
         let stress = [self.partner(third), trial[1] - relief.middle * multiplier, third];
@@ -69,7 +69,7 @@ impl<T: Real> MohrCoulomb<T> {
     }
 
     /// Principal stresses after the return to an edge, where σ₂ = σ₃ (`lower`) or σ₁ = σ₂.
-    fn to_edge(&self, relief: &Relief<T>, trial: [T; 3], lower: bool) -> Option<[T; 3]> {
+    fn edge(&self, relief: &Relief<T>, trial: [T; 3], lower: bool) -> Option<[T; 3]> {
         let first = self.between(trial[0], trial[2]);
         let (second, cross) = match lower {
             true => (self.between(trial[0], trial[1]), relief.lower),
@@ -122,7 +122,7 @@ impl<T: Real> YieldSurface<T> for MohrCoulomb<T> {
     fn excess(&self, stress: &SymTensor<T>) -> T {
         match Principal::of(stress) {
             Some(principal) => self.between(principal.values[0], principal.values[2]),
-            None => T::INFINITY - T::INFINITY,
+            None => T::of(f64::NAN),
         }
     }
 
@@ -143,16 +143,17 @@ impl<T: Real> YieldSurface<T> for MohrCoulomb<T> {
     fn returned(&self, elasticity: &Elasticity<T>, trial: &SymTensor<T>) -> Returned<T> {
         let Some(principal) = Principal::of(trial) else { return Returned::inside(*trial) };
         let values = principal.values;
-        if !(self.between(values[0], values[2]) > T::ZERO) {
+        let outside = self.between(values[0], values[2]) > T::ZERO;
+        if !outside {
             return Returned::inside(*trial);
         }
         let relief = Relief::of(self, elasticity);
-        if let Some(face) = self.to_face(&relief, values) {
+        if let Some(face) = self.face(&relief, values) {
             return Returned { stress: principal.with(&face), place: Place::Face };
         }
         let d = self.sin_dilatancy;
         let side = (T::ONE - d) * values[0] - T::of(2.0) * values[1] + (T::ONE + d) * values[2];
-        match self.to_edge(&relief, values, side > T::ZERO) {
+        match self.edge(&relief, values, side > T::ZERO) {
             Some(edge) => Returned { stress: principal.with(&edge), place: Place::Edge },
             None => Returned::apex(self.largest_tension),
         }

@@ -1,6 +1,6 @@
 //! Soil: an elastic-perfectly plastic skeleton of rigid grains (21)–(36), (79).
 
-use super::yield_surface::{Place, YieldSurface, round_off};
+use super::yield_surface::{Place, YieldSurface};
 use super::{DruckerPrager, Elasticity, Loss, Material, Memory};
 use crate::error::ParameterError;
 use crate::real::Real;
@@ -14,10 +14,13 @@ pub enum Plasticity {
     #[default]
     ReturnMapping,
     /// The paper's: where F ≥ 0 the rate holds the plastic multiplier (26), and every step ends with
-    /// tension cracking and scaling back. F is taken as zero within rounding, else steps on the
-    /// surface turn elastic by chance.
+    /// tension cracking and scaling back. F is taken as zero already at −10⁻⁴ of √J₂ + |p|: a step
+    /// along a curved surface ends beside it, and the next would be elastic by chance.
     Rate,
 }
+
+/// How far below zero F counts as zero in [`Plasticity::Rate`], as part of √J₂ + |p|.
+const SLACK: f64 = 1e-4;
 
 /// What soil remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -164,7 +167,9 @@ impl<T: Real, Y: YieldSurface<T>> Soil<T, Y> {
     /// Plastic strain rate \[1/s\] at a stress, Eq. (24); zero inside the surface.
     #[inline(always)]
     fn plastic_rate(&self, stretch: &SymTensor<T>, stress: &SymTensor<T>) -> SymTensor<T> {
-        if !(self.surface.excess(stress) >= -round_off(stress)) {
+        let size = stress.root_j2() + stress.trace().abs() * T::of(1.0 / 3.0);
+        let yields = self.surface.excess(stress) >= -T::of(SLACK) * size;
+        if !yields {
             return SymTensor::zero();
         }
         let flow = self.surface.flow(stress);

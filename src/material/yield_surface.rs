@@ -88,8 +88,9 @@ pub trait YieldSurface<T: Real>: Clone + Debug + Send + Sync + 'static {
     fn returned(&self, elasticity: &Elasticity<T>, trial: &SymTensor<T>) -> Returned<T> {
         let mut stress = *trial;
         let mut excess = self.excess(&stress);
-        if !(excess > T::ZERO) {
-            return Returned::inside(stress);
+        let outside = excess > T::ZERO;
+        if !outside {
+            return untorn(stress, self.largest_tension());
         }
         for _ in 0..CUTS {
             let flow = self.flow(&stress);
@@ -108,12 +109,10 @@ pub trait YieldSurface<T: Real>: Clone + Debug + Send + Sync + 'static {
     /// loses shear at its pressure. Exact where F grows linearly with the deviator.
     fn scaled_back(&self, stress: &SymTensor<T>) -> Returned<T> {
         let excess = self.excess(stress);
-        if !(excess > T::ZERO) {
-            return Returned::inside(*stress);
-        }
         let mean = stress.trace() * T::of(1.0 / 3.0);
-        if mean >= self.largest_tension() {
-            return Returned::apex(self.largest_tension());
+        let sheared = excess > T::ZERO && mean <= self.largest_tension();
+        if !sheared {
+            return untorn(*stress, self.largest_tension());
         }
         let isotropic = SymTensor::isotropic(mean);
         let room = -self.excess(&isotropic);
@@ -122,12 +121,18 @@ pub trait YieldSurface<T: Real>: Clone + Debug + Send + Sync + 'static {
     }
 }
 
+/// The stress, or the largest tension \[Pa\] if its mean is more than that.
+fn untorn<T: Real>(stress: SymTensor<T>, largest_tension: T) -> Returned<T> {
+    let torn = stress.trace() * T::of(1.0 / 3.0) > largest_tension;
+    if torn { Returned::apex(largest_tension) } else { Returned::inside(stress) }
+}
+
 /// Cutting planes before the way back is given up.
 const CUTS: usize = 50;
 
 /// Rounding in F of a stress \[Pa\].
 #[inline(always)]
-pub(super) fn round_off<T: Real>(stress: &SymTensor<T>) -> T {
+fn round_off<T: Real>(stress: &SymTensor<T>) -> T {
     let mean = stress.trace() * T::of(1.0 / 3.0);
     T::of(256.0) * T::EPSILON * (stress.root_j2() + mean.abs())
 }

@@ -193,7 +193,10 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         setting: &Setting<T, D, K>,
     ) -> Result<(), StepError> {
         let h = setting.kernel.smoothing_length().as_f64();
-        let closest2 = (OVERLAP * h) * (OVERLAP * h);
+        // Nobody is placed on top of another; but two particles of spray may pass through each other,
+        // which the kernels, finite at r = 0, do not mind.
+        let closest = if self.phase.placed { OVERLAP * h } else { 0.0 };
+        let closest2 = closest * closest;
         let lost = self.exchange_rate.taken;
         let survey = parallel::reduce(
             self.phase.len(),
@@ -212,6 +215,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if let Some(i) = survey.suspect {
             return Err(self.explain(setting, i, closest2.sqrt()));
         }
+        self.phase.placed = false;
         self.fastest_acceleration = T::of(survey.acceleration2.sqrt());
         self.exchange_rate = survey.exchange_rate;
         self.exchange_rate.taken = self.exchange_rate.taken + lost;

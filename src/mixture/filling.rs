@@ -65,6 +65,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
                 return Err(ParameterError::new("pressure", p, "finite [Pa]"));
             }
         }
+        self.placed = true;
         let first_id = self.len() as u32;
         let excess = |x: &Vector<T, D>| self.material.compression(pressure(x));
         let reference = self.material.reference_density();

@@ -68,6 +68,8 @@ pub struct Phase<T: Real, const D: usize, M: Material<T>> {
     /// Which wall a wall particle belongs to; unused for others.
     pub(crate) body: Vec<u16>,
     pub(crate) position: Vec<Vector<T, D>>,
+    /// Whether somebody has put particles somewhere since rates were looked at.
+    pub(super) placed: bool,
     pub(crate) mass: Vec<T>,
     /// φ \[-\]; of rigid grains, that of the start.
     pub(crate) volume_fraction: Vec<T>,
@@ -91,6 +93,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             id: Vec::new(),
             body: Vec::new(),
             position: Vec::new(),
+            placed: true,
             mass: Vec::new(),
             volume_fraction: Vec::new(),
             now: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
@@ -172,6 +175,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
 
     /// Positions \[m\], to change them from outside.
     pub fn positions_mut(&mut self) -> &mut [Vector<T, D>] {
+        self.placed = true;
         &mut self.position
     }
 

@@ -134,6 +134,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.half = state.half;
         self.rate = state.rate;
         self.wall_acceleration = state.wall_acceleration;
+        self.placed = false;
     }
 }
 

@@ -297,3 +297,18 @@ fn the_documented_case_has_every_key_and_its_defaults() {
         [[gauge]]\nname = \"toe\"\nposition_m = [0.399, 0.01]\n";
     assert_eq!(documented, parse(own), "values said to be defaults are");
 }
+
+#[test]
+fn the_examples_are_valid_and_nothing_in_them_is_doubtful() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
+    let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let cases: Vec<_> = paths.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    assert!(!cases.is_empty(), "no case in {folder}");
+    for path in cases {
+        let name = path.display().to_string();
+        let read = Case::parse(&name, &std::fs::read_to_string(&path).unwrap());
+        let (case, warnings) = read.unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(warnings.problems, [], "{name}");
+        assert_eq!(Some(&*case.name), path.file_stem().and_then(|stem| stem.to_str()));
+    }
+}

@@ -65,7 +65,7 @@ impl Reporter {
         if part <= 0.0 {
             return "?".to_owned();
         }
-        let seconds = (self.clock.elapsed().as_secs_f64() * (1.0 - part) / part).round();
+        let seconds = (self.clock.elapsed().as_secs_f64() * (1.0 / part.min(1.0) - 1.0)).round();
         match seconds {
             s if s < 90.0 => format!("{s:.0} s"),
             s if s < 5400.0 => format!("{:.0} min", s / 60.0),

@@ -13,6 +13,7 @@ use crate::solver::{Solver, Step};
 use alluvium::case::{Case, Warnings};
 use alluvium::output::{Cell, Pvd, TableWriter};
 use alluvium::parallel::Threads;
+use alluvium::time::Limit;
 use std::path::{Path, PathBuf};
 
 /// A finished run.
@@ -134,6 +135,8 @@ impl<'a, 'b> Run<'a, 'b> {
         let end = self.case.end_time;
         let mut dumps = self.case.dump_times().into_iter().peekable();
         let mut step = Step { length: 0.0, limit: "none" };
+        // The last that was not cut short to end at an instant of output.
+        let mut whole = step;
         let mut records = Records::new(self.case.output.history_interval);
         // Adding up steps rounds: this close to an instant is there.
         let near = 1e-10 * end;
@@ -143,13 +146,13 @@ impl<'a, 'b> Run<'a, 'b> {
                 self.record(solver, step)?;
             }
             if dumps.next_if(|due| time >= *due).is_some() {
-                self.dump(solver, step)?;
+                self.dump(solver, whole)?;
             }
             if time >= end {
                 return Ok(());
             }
             if interrupt::asked() {
-                self.dump(solver, step)?;
+                self.dump(solver, whole)?;
                 return Err(Failure::Interrupted);
             }
             let until = dumps.peek().map_or(end, |due| due.min(end));
@@ -157,10 +160,13 @@ impl<'a, 'b> Run<'a, 'b> {
                 Ok(step) => step,
                 Err(stopped) => {
                     self.record(solver, step)?;
-                    self.dump(solver, step)?;
+                    self.dump(solver, whole)?;
                     return Err(Failure::Numerical(stopped.0));
                 }
             };
+            if step.limit != Limit::End.name() || whole.length == 0.0 {
+                whole = step;
+            }
             self.reporter.progress(solver.time() / end, || {
                 format!("t = {:.4} s, Δt = {:.2e} s ({})", solver.time(), step.length, step.limit)
             });
@@ -226,11 +232,13 @@ impl<'a, 'b> Run<'a, 'b> {
         let (time, steps, part) = (solver.time(), solver.steps(), solver.time() / self.case.end_time);
         let (moving, walls) = solver.particles();
         let wall = self.reporter.elapsed();
+        let start = format!("dump {:04}  t = {time:.5} s  step {steps}", self.dumps);
+        if steps == 0 {
+            return format!("{start}  {moving} + {walls} wall particles");
+        }
         let speed = (moving + walls) as f64 * steps as f64 / wall.max(1e-9) / 1e6;
         format!(
-            "dump {:04}  t = {time:.5} s  step {steps}  Δt = {:.3e} s ({})  {moving} + {walls} wall \
-             particles  {speed:.1} M particle-steps/s  left {}",
-            self.dumps,
+            "{start}  Δt = {:.3e} s ({})  {speed:.1} M particle-steps/s  left {}",
             step.length,
             step.limit,
             self.reporter.left(part)

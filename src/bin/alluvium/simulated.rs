@@ -4,12 +4,11 @@ mod constituent;
 
 use crate::solver::{DamBreak, Solver, Step, Stopped, View, quantity};
 use alluvium::budget::{Account, Budget};
-use alluvium::case::{Case, Field, Gauge, Quantity, Side, SoilLaw};
+use alluvium::case::{Case, CaseSimulation, Field, Gauge, Quantity, Side, SoilLaw};
 use alluvium::kernel::Kernel;
 use alluvium::material::Water;
 use alluvium::mixture::{Mixture, Phase, Probe};
 use alluvium::output::{Component, Vtp};
-use alluvium::simulation::Simulation;
 use alluvium::time::Integrator;
 use alluvium::verify::dam_break::{self, Reference};
 use alluvium::verify::sand_column::{Pile, Section};
@@ -20,7 +19,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A simulation and what its records are measured against.
 pub struct Simulated<T: Real, const D: usize, K: Kernel<T, D>, I: Integrator<T>> {
-    simulation: Simulation<T, D, K, SoilLaw<T>, Water<T>, I>,
+    simulation: CaseSimulation<T, D, K, I>,
     start: Budget<D>,
     soil_start: Start,
     water_start: Start,
@@ -32,7 +31,7 @@ pub struct Simulated<T: Real, const D: usize, K: Kernel<T, D>, I: Integrator<T>>
 }
 
 impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Simulated<T, D, K, I> {
-    pub fn new(mut simulation: Simulation<T, D, K, SoilLaw<T>, Water<T>, I>, case: &Case) -> Self {
+    pub fn new(mut simulation: CaseSimulation<T, D, K, I>, case: &Case) -> Self {
         // What is wrong with the start is told by the first step, when there is a folder to dump it in.
         simulation.start().ok();
         let start = simulation.budget();

@@ -169,7 +169,8 @@ impl Chart {
         if log {
             return (low / 1.3, high * 1.3);
         }
-        let room = 0.05 * (high - low).max(1e-9 * high.abs()).max(1e-300);
+        // What varies by rounding alone is drawn as the constant it is.
+        let room = 0.05 * (high - low).max(1e-3 * high.abs()).max(1e-300);
         let near_zero = low >= 0.0 && low < 0.3 * high;
         (if near_zero { 0.0 } else { low - room }, high + room)
     }
@@ -193,9 +194,13 @@ impl Chart {
     }
 
     fn legend(&self, canvas: &mut Canvas, x: Scale, y: Scale, places: ((f64, f64), (f64, f64))) {
-        let named: Vec<&Series> = self.series.iter().filter(|s| !s.name.is_empty()).collect();
+        let mut named: Vec<&Series> = self.series.iter().filter(|s| !s.name.is_empty()).collect();
         if named.is_empty() {
             return;
+        }
+        // A stack grows upwards, and so do its names.
+        if named.iter().all(|s| matches!(s.style, Style::Band(_))) {
+            named.reverse();
         }
         let longest = named.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
         let size = (54.0 + 7.2 * longest as f64, 10.0 + 20.0 * named.len() as f64);

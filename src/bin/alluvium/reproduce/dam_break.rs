@@ -104,8 +104,9 @@ pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, du
 
 /// What the history and the published data say.
 pub(super) struct Results {
-    /// Times and steps \[s\], those cut short by an instant of output left out.
-    steps: Vec<(f64, f64)>,
+    time: Vec<f64>,
+    /// Times, steps \[s\] and what bounded them, those cut short by an instant of output left out.
+    steps: Vec<(f64, f64, String)>,
     front: Curve,
     ledger: Ledger,
     published: [(&'static str, Curve); 3],
@@ -118,7 +119,8 @@ impl Results {
         let front = time.iter().zip(front).map(|(t, x)| (dimensionless_time(*t), x / WIDTH)).collect();
         let limits = history.text("limit")?;
         let steps = time.iter().copied().zip(history.column("time_step [s]")?).zip(limits);
-        let steps = steps.filter(|(_, limit)| !["none", "end"].contains(limit)).map(|(step, _)| step);
+        let steps = steps.filter(|(_, limit)| !["none", "end"].contains(limit));
+        let steps = steps.map(|((time, step), limit)| (time, step, limit.to_owned()));
         Ok(Self {
             steps: steps.collect(),
             front: Curve::new(front),
@@ -128,6 +130,7 @@ impl Results {
                 ("Koshizuka & Oka 1996, experiment", curve(KOSHIZUKA_OKA, "T", "X")?),
                 ("Koshizuka & Oka 1996, MPS", curve(KOSHIZUKA_OKA_MPS, "T", "X")?),
             ],
+            time,
         })
     }
 }
