@@ -3,6 +3,7 @@
 //! A law sees one particle at a time and always three dimensions; it knows no kernel and no neighbour.
 
 mod absent;
+mod any_surface;
 mod at_rest;
 mod drucker_prager;
 mod elasticity;
@@ -12,6 +13,7 @@ mod water;
 mod yield_surface;
 
 pub use absent::Absent;
+pub use any_surface::AnySurface;
 pub use at_rest::LateralRatio;
 pub use drucker_prager::{Cone, DruckerPrager};
 pub use elasticity::Elasticity;
