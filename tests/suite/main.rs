@@ -27,6 +27,7 @@ mod outside;
 mod program;
 mod register;
 mod restart;
+mod soil;
 mod soil_law;
 mod source;
 mod tank;
