@@ -1,18 +1,29 @@
 //! From a case to particles and a simulation of them.
 
-use super::choice::{DiffusionKind, InitialPressure, SearchChoice, Side, Slip};
-use super::model::{Block, Case, StepSize, Tank, Walls};
+mod soil;
+mod walls;
+mod water;
+
+pub(super) use soil::at_rest;
+
+use super::choice::{SearchChoice, Side};
+use super::model::{Case, StepSize, Tank};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
-use crate::material::{Absent, Water};
-use crate::mixture::{self, ArtificialViscosity, DensityDiffusion, Mixture, Phase, Wall};
+use crate::material::{AnySurface, Soil, Water};
+use crate::mixture::Mixture;
 use crate::neighbours::{BruteForce, CellList, NeighbourSearch, Periodic};
 use crate::real::Real;
-use crate::setup;
 use crate::simulation::Simulation;
 use crate::space::Vector;
 use crate::time::{self, Integrator};
 use core::fmt;
+
+/// The law of a case's soil: one type whatever its yield surface, and also where there is no soil.
+pub type SoilLaw<T> = Soil<T, AnySurface<T>>;
+
+/// The simulation of a case.
+pub type CaseSimulation<T, const D: usize, K, I> = Simulation<T, D, K, SoilLaw<T>, Water<T>, I>;
 
 type SearchMaker<T, const D: usize> = fn() -> Box<dyn NeighbourSearch<T, D>>;
 
@@ -85,14 +96,17 @@ impl Case {
         &self,
         kernel: K,
         integrator: I,
-    ) -> Result<Simulation<T, D, K, Absent, Water<T>, I>, BuildError> {
+    ) -> Result<CaseSimulation<T, D, K, I>, BuildError> {
         let mixture = self.mixture(kernel)?;
         let step_size = match self.time.step {
             StepSize::Courant(number) => time::StepSize::courant(T::of(number)),
             StepSize::Fixed(step) => time::StepSize::fixed(T::of(step)),
         }?;
+        let reinitialise = self.water.as_ref().map_or(0, |water| water.reinitialisation_every);
+        let regularise = self.soil.as_ref().map_or(0, |soil| soil.regularisation_every);
         Ok(Simulation::new(mixture, integrator, step_size)
-            .with_reinitialisation(self.water.reinitialisation_every as usize))
+            .with_reinitialisation(reinitialise as usize)
+            .with_stress_regularisation(regularise as usize))
     }
 
     /// The particles of this case at the start, with its numerical choices.
@@ -102,26 +116,19 @@ impl Case {
     pub fn mixture<T: Real, const D: usize, K: Kernel<T, D>>(
         &self,
         kernel: K,
-    ) -> Result<Mixture<T, D, K>, BuildError> {
+    ) -> Result<Mixture<T, D, K, SoilLaw<T>>, BuildError> {
         if self.dimension != D {
             return Err(BuildError::Dimension { case: self.dimension, asked: D });
         }
-        let mut phase = Phase::new(self.law()?);
-        if let Some(tank) = &self.tank {
-            self.add_walls(tank, &mut phase)?;
+        let mut mixture = Mixture::new(kernel, self.soil_phase()?, self.water_phase()?)?;
+        if let Some(soil) = &self.soil {
+            mixture = soil.apply(mixture, self.particles.spacing)?;
         }
-        for block in &self.water.blocks {
-            self.add_block(block, &mut phase)?;
+        if let Some(water) = &self.water {
+            mixture = water.apply(mixture)?;
         }
-        let water = &self.water;
-        let viscosity = ArtificialViscosity {
-            linear: T::of(water.artificial_viscosity_linear),
-            quadratic: T::of(water.artificial_viscosity_quadratic),
-        };
-        let mixture = Mixture::of_water(kernel, phase)
+        let mixture = mixture
             .with_gravity(vector(&self.gravity))
-            .with_artificial_viscosity(viscosity)?
-            .with_density_diffusion(self.diffusion())?
             .with_gradient_weight(self.preset.gradient_weight())
             .with_periodic(self.repetition()?)
             .with_skin(T::of(self.neighbours.skin_ratio * self.support()));
@@ -138,24 +145,6 @@ impl Case {
 
     fn is_closed(&self, tank: &Tank, side: Side) -> bool {
         !tank.open.contains(&side) && !self.periodic.iter().any(|axis| *axis as usize == side.axis())
-    }
-
-    fn law<T: Real>(&self) -> Result<Water<T>, ParameterError> {
-        let water = &self.water;
-        Water::new(T::of(water.reference_density), T::of(water.sound_speed))?
-            .with_viscosity(T::of(water.viscosity))?
-            .with_exponent(water.tait_exponent)
-    }
-
-    fn diffusion<T: Real>(&self) -> DensityDiffusion<T> {
-        let delta = T::of(self.water.diffusion_coefficient);
-        match self.water.diffusion {
-            DiffusionKind::None => DensityDiffusion::None,
-            DiffusionKind::PartialDensity => DensityDiffusion::PartialDensity(delta),
-            DiffusionKind::TrueDensity => DensityDiffusion::TrueDensity(delta),
-            DiffusionKind::Hydrostatic => DensityDiffusion::Hydrostatic(delta),
-            DiffusionKind::Renormalised => DensityDiffusion::Renormalised(delta),
-        }
     }
 
     fn search<T: Real, const D: usize>(&self) -> Result<SearchMaker<T, D>, BuildError> {
@@ -180,89 +169,17 @@ impl Case {
         T::of(self.particles.spacing.powi(self.dimension as i32))
     }
 
-    fn add_block<T: Real, const D: usize>(
-        &self,
-        block: &Block,
-        phase: &mut Phase<T, D, Water<T>>,
-    ) -> Result<(), ParameterError> {
-        let (low, high) = (array(&block.low), array(&block.high));
-        let first = phase.len();
-        let positions = setup::fill(low, high, self.particles.spacing);
-        phase.add(&positions, self.volume(), |x| T::of(self.rest_pressure(block, x)))?;
-        phase.velocities_mut()[first..].fill(vector(&block.velocity));
-        Ok(())
-    }
-
-    /// The pressure \[Pa\] water of a block starts with at `x`.
-    fn rest_pressure<T: Real, const D: usize>(&self, block: &Block, x: &Vector<T, D>) -> f64 {
-        if block.initial_pressure == InitialPressure::Zero {
-            return 0.0;
-        }
-        // ρ̃₀ g (surface − height), with the height measured against gravity.
+    /// Gravity times the depth of `x` under a level measured against gravity \[m²/s²\]; 0 above it.
+    fn fall<T: Real, const D: usize>(&self, surface: f64, x: &Vector<T, D>) -> f64 {
         let strength = self.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
         let fall: f64 = (0..D).map(|k| self.gravity[k] * x[k].as_f64()).sum();
-        self.water.reference_density * (strength * block.surface + fall).max(0.0)
+        (strength * surface + fall).max(0.0)
     }
 
-    /// One wall for each closed side. What is outside several sides, as a corner is, belongs to the first
-    /// that rests: a wall that moves would drag the corner through its neighbour.
-    fn add_walls<T: Real, const D: usize>(
-        &self,
-        tank: &Tank,
-        phase: &mut Phase<T, D, Water<T>>,
-    ) -> Result<(), ParameterError> {
-        let sides = self.wall_sides();
-        let spacing = self.particles.spacing;
-        let closed = core::array::from_fn(|k| {
-            let has = |high| sides.iter().any(|side| side.axis() == k && side.is_high() == high);
-            (has(false), has(true))
-        });
-        let (low, high) = (array::<D>(&tank.low), array::<D>(&tank.high));
-        let all = setup::tank::<T, D>(low, high, spacing, tank.layers as usize, closed);
-        let velocity = |side: Side| tank.moving.iter().find(|wall| wall.side == side);
-        let is_outside = |x: &Vector<T, D>, side: Side| {
-            let k = side.axis();
-            let beyond = if side.is_high() {
-                low[k] + ((high[k] - low[k]) / spacing).round() * spacing
-            } else {
-                low[k]
-            };
-            (x[k].as_f64() > beyond) == side.is_high()
-        };
-        let owner = |x: &Vector<T, D>| {
-            let outside = || sides.iter().copied().filter(|side| is_outside(x, *side));
-            outside().find(|side| velocity(*side).is_none()).or_else(|| outside().next())
-        };
-        for side in &sides {
-            let own: Vec<Vector<T, D>> = all.iter().copied().filter(|x| owner(x) == Some(*side)).collect();
-            let wall = velocity(*side).map_or_else(
-                || wall(tank.walls),
-                |moving| {
-                    let velocity = vector(&moving.velocity);
-                    wall(tank.walls).moving(move |_, _| velocity)
-                },
-            );
-            phase.add_wall(wall, &own, self.volume(), |x| T::of(self.wall_pressure(x)))?;
-        }
-        Ok(())
-    }
-
-    /// A wall near a block carries its pressure from the start \[Pa\].
-    fn wall_pressure<T: Real, const D: usize>(&self, x: &Vector<T, D>) -> f64 {
+    /// Whether `x` is in a box, or so near that a wall there belongs to it.
+    fn is_beside<T: Real, const D: usize>(&self, low: &[f64], high: &[f64], x: &Vector<T, D>) -> bool {
         let reach = self.support() + self.particles.spacing;
-        let beside = |block: &&Block| {
-            (0..D).all(|k| (block.low[k] - reach..=block.high[k] + reach).contains(&x[k].as_f64()))
-        };
-        let blocks = self.water.blocks.iter().filter(beside);
-        blocks.map(|block| self.rest_pressure(block, x)).fold(0.0, f64::max)
-    }
-}
-
-fn wall<T: Real, const D: usize>(walls: Walls) -> Wall<T, D> {
-    match walls {
-        Walls::Dynamic => Wall::dynamic(),
-        Walls::Extrapolated(Slip::NoSlip) => Wall::extrapolated(mixture::Slip::NoSlip),
-        Walls::Extrapolated(Slip::FreeSlip) => Wall::extrapolated(mixture::Slip::FreeSlip),
+        (0..D).all(|k| (low[k] - reach..=high[k] + reach).contains(&x[k].as_f64()))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Words a case file may choose from.
 
+use crate::material::{Cone, Plasticity};
 use crate::preset::Preset;
 
 /// An enumeration whose variants are words in a case file.
@@ -35,6 +36,29 @@ impl Choice for Preset {
     const ALL: &'static [Self] = &[Self::Default, Self::Paper];
     fn word(self) -> &'static str {
         self.name()
+    }
+}
+
+impl Choice for Cone {
+    const ALL: &'static [Self] = &Self::ALL;
+    fn word(self) -> &'static str {
+        match self {
+            Self::PlaneStrain => "plane-strain",
+            Self::PlaneStrainAssociated => "plane-strain-associated",
+            Self::PlaneStrainNonDilatant => "plane-strain-non-dilatant",
+            Self::TriaxialCompression => "triaxial-compression",
+            Self::TriaxialExtension => "triaxial-extension",
+        }
+    }
+}
+
+impl Choice for Plasticity {
+    const ALL: &'static [Self] = &[Self::ReturnMapping, Self::Rate];
+    fn word(self) -> &'static str {
+        match self {
+            Self::ReturnMapping => "return-mapping",
+            Self::Rate => "rate",
+        }
     }
 }
 
@@ -87,6 +111,26 @@ choice! {
     }
 }
 choice! {
+    /// Where the elasticity of soil ends.
+    SurfaceKind {
+        /// A circular cone (27).
+        DruckerPrager = "drucker-prager",
+        /// The pyramid of Mohr and Coulomb.
+        MohrCoulomb = "mohr-coulomb",
+        /// Nowhere.
+        Elastic = "elastic",
+    }
+}
+choice! {
+    /// The stress a body of soil starts with.
+    InitialStress {
+        /// Of soil at rest under its surface (75).
+        Geostatic = "geostatic",
+        /// None.
+        Zero = "zero",
+    }
+}
+choice! {
     /// How walls are made.
     WallKind {
         /// Dynamic particles, the paper's: they feel and evolve but do not move.
@@ -96,12 +140,14 @@ choice! {
     }
 }
 choice! {
-    /// What water does along a wall.
-    Slip {
+    /// What soil or water does along a wall.
+    SlipChoice {
         /// It sticks.
         NoSlip = "no-slip",
         /// It slides.
         FreeSlip = "free-slip",
+        /// It sticks until the wall's friction gives way: soil alone.
+        Friction = "friction",
     }
 }
 choice! {
@@ -167,6 +213,12 @@ choice! {
         VolumeFraction = "volume_fraction",
         /// Partial density \[kg/m³\].
         PartialDensity = "partial_density",
+        /// Stress of soil \[Pa\], + in tension.
+        Stress = "stress",
+        /// Plastic strain of soil \[–\], + in extension.
+        PlasticStrain = "plastic_strain",
+        /// Equivalent plastic strain of soil \[–\].
+        EquivalentPlasticStrain = "equivalent_plastic_strain",
     }
 }
 choice! {
@@ -176,7 +228,7 @@ choice! {
         Pressure = "pressure",
         /// Velocity \[m/s\].
         Velocity = "velocity",
-        /// Level of the water surface above the gauge's foot point \[m\].
+        /// Level of the surface above the gauge's foot point \[m\].
         SurfaceElevation = "surface-elevation",
     }
 }
@@ -199,5 +251,12 @@ impl KernelChoice {
             Self::QuinticSpline => 3.0,
             _ => 2.0,
         }
+    }
+}
+
+impl Field {
+    /// Whether soil alone has it.
+    pub fn is_of_soil(self) -> bool {
+        matches!(self, Self::Stress | Self::PlasticStrain | Self::EquivalentPlasticStrain)
     }
 }

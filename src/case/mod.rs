@@ -30,14 +30,16 @@ mod reader;
 mod section;
 mod write;
 
+pub use crate::mixture::Slip;
 pub use crate::preset::Preset;
-pub use build::BuildError;
+pub use build::{BuildError, CaseSimulation, SoilLaw};
 pub use choice::{
-    Axis, Choice, DiffusionKind, Field, InitialPressure, IntegratorChoice, KernelChoice, Precision, Quantity,
-    SearchChoice, Side, Slip, WallKind,
+    Axis, Choice, DiffusionKind, Field, InitialPressure, InitialStress, IntegratorChoice, KernelChoice,
+    Precision, Quantity, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
 };
 pub use model::{
-    Block, Case, Dumps, Gauge, MovingWall, Neighbours, Output, Particles, StepSize, Tank, Time, Walls, Water,
+    Block, Case, Dumps, Frictional, Gauge, MovingWall, Neighbours, Output, Particles, Shape, Soil, SoilBody,
+    StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
 };
 pub use problem::{CaseError, Problem, Warnings};
 

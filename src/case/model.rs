@@ -1,12 +1,18 @@
 //! What a case says, with every default resolved. SI units throughout.
 
+mod soil;
+
+pub use soil::{Frictional, Shape, Soil, SoilBody, Stiffness, Strength};
+pub(super) use soil::{ROUNDING, upright};
+
 use super::choice::{
     Axis, DiffusionKind, Field, InitialPressure, IntegratorChoice, KernelChoice, Precision, Quantity,
-    SearchChoice, Side, Slip,
+    SearchChoice, Side,
 };
+use crate::mixture::Slip;
 use crate::preset::Preset;
 
-/// A case of water, complete: nothing in it is left to a default.
+/// A case of soil or of water, complete: nothing in it is left to a default.
 ///
 /// Coordinates are lists of [`Case::dimension`] numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,9 +31,11 @@ pub struct Case {
     pub end_time: f64,
     /// Gravity \[m/s²\].
     pub gravity: Vec<f64>,
-    /// The water.
-    pub water: Water,
-    /// The particles it is made of.
+    /// The soil, if there is any.
+    pub soil: Option<Soil>,
+    /// The water, if there is any.
+    pub water: Option<Water>,
+    /// The particles they are made of.
     pub particles: Particles,
     /// The tank around it, if there is one.
     pub tank: Option<Tank>,
@@ -112,11 +120,11 @@ pub struct Tank {
 }
 
 /// How walls are made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Walls {
     /// Dynamic particles.
     Dynamic,
-    /// Extrapolated, with what water does along them.
+    /// Extrapolated, with what soil or water does along them.
     Extrapolated(Slip),
 }
 
@@ -198,9 +206,30 @@ impl Case {
         self.particles.kernel.support_ratio() * self.smoothing_length()
     }
 
+    /// Speed of the fastest wave \[m/s\], which bounds the step.
+    pub fn fastest_wave(&self) -> f64 {
+        let water = self.water.as_ref().map_or(0.0, |water| water.sound_speed);
+        self.soil.as_ref().map_or(water, |soil| soil.fastest_wave().max(water))
+    }
+
     /// Number of water particles: each block filled with whole cells of one spacing.
     pub fn water_particles(&self) -> u64 {
-        self.water.blocks.iter().map(|block| block.cells(self.particles.spacing).product::<u64>()).sum()
+        let cells = |block: &Block| block.cells(self.particles.spacing).product::<u64>();
+        self.water.iter().flat_map(|water| &water.blocks).map(cells).sum()
+    }
+
+    /// Number of soil particles: each body filled with whole cells of one spacing.
+    pub fn soil_particles(&self) -> u64 {
+        let cells = |body: &SoilBody| body.shape.cells(self.particles.spacing);
+        self.soil.iter().flat_map(|soil| &soil.bodies).map(cells).sum()
+    }
+
+    /// Lowest and highest corner of everything there is at the start \[m\]: each block, each body of soil.
+    pub fn boxes(&self) -> Vec<(Vec<f64>, Vec<f64>)> {
+        let blocks = self.water.iter().flat_map(|water| &water.blocks);
+        let blocks = blocks.map(|block| (block.low.clone(), block.high.clone()));
+        let bodies = self.soil.iter().flat_map(|soil| &soil.bodies);
+        blocks.chain(bodies.map(|body| body.shape.bounds(&self.gravity))).collect()
     }
 
     /// The times of the dumps \[s\], ascending, the start and the end among them unless they are listed.
@@ -218,6 +247,10 @@ impl Case {
 impl Block {
     /// Number of cells of one `spacing` along each axis.
     pub fn cells(&self, spacing: f64) -> impl Iterator<Item = u64> + '_ {
-        self.low.iter().zip(&self.high).map(move |(low, high)| ((high - low) / spacing).round() as u64)
+        cells(&self.low, &self.high, spacing)
     }
+}
+
+fn cells<'a>(low: &'a [f64], high: &'a [f64], spacing: f64) -> impl Iterator<Item = u64> + 'a {
+    low.iter().zip(high).map(move |(low, high)| ((high - low) / spacing).round() as u64)
 }

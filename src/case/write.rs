@@ -1,7 +1,11 @@
 //! A case as a file: `case.used.toml`, every default resolved.
 
+mod soil;
+mod water;
+
 use super::choice::Choice;
-use super::model::{Block, Case, Dumps, Gauge, Output, StepSize, Tank, Walls, Water};
+use super::model::{Case, Dumps, Gauge, Output, StepSize, Tank, Walls};
+use crate::mixture::Slip;
 use core::fmt::{self, Write};
 
 /// Numbers as TOML, with as many digits as give them back exactly.
@@ -28,7 +32,8 @@ impl fmt::Display for Case {
         writeln!(f, "spacing_m = {:?}", self.particles.spacing)?;
         writeln!(f, "smoothing_ratio = {:?}", self.particles.smoothing_ratio)?;
         writeln!(f, "kernel = \"{}\"", self.particles.kernel)?;
-        water(f, &self.water)?;
+        self.soil.iter().try_for_each(|each| soil::soil(f, each))?;
+        self.water.iter().try_for_each(|each| water::water(f, each))?;
         if let Some(each) = &self.tank {
             tank(f, each)?;
         }
@@ -47,37 +52,15 @@ impl fmt::Display for Case {
     }
 }
 
-fn water(f: &mut fmt::Formatter<'_>, water: &Water) -> fmt::Result {
-    writeln!(f, "\n[water]")?;
-    writeln!(f, "reference_density_kg_per_m3 = {:?}", water.reference_density)?;
-    writeln!(f, "sound_speed_m_per_s = {:?}", water.sound_speed)?;
-    writeln!(f, "viscosity_pa_s = {:?}", water.viscosity)?;
-    writeln!(f, "tait_exponent = {}", water.tait_exponent)?;
-    writeln!(f, "\n[water.artificial_viscosity]")?;
-    writeln!(f, "linear = {:?}", water.artificial_viscosity_linear)?;
-    writeln!(f, "quadratic = {:?}", water.artificial_viscosity_quadratic)?;
-    writeln!(f, "\n[water.density_diffusion]\nkind = \"{}\"", water.diffusion)?;
-    if water.diffusion != super::choice::DiffusionKind::None {
-        writeln!(f, "coefficient = {:?}", water.diffusion_coefficient)?;
-    }
-    writeln!(f, "\n[water.reinitialisation]\nevery_steps = {}", water.reinitialisation_every)?;
-    water.blocks.iter().try_for_each(|each| block(f, each))
-}
-
-fn block(f: &mut fmt::Formatter<'_>, block: &Block) -> fmt::Result {
-    writeln!(f, "\n[[water.block]]")?;
-    writeln!(f, "low_m = {}\nhigh_m = {}", list(&block.low), list(&block.high))?;
-    writeln!(f, "velocity_m_per_s = {}", list(&block.velocity))?;
-    writeln!(f, "initial_pressure = \"{}\"", block.initial_pressure)?;
-    writeln!(f, "surface_m = {:?}", block.surface)
-}
-
 fn tank(f: &mut fmt::Formatter<'_>, tank: &Tank) -> fmt::Result {
     writeln!(f, "\n[tank]\nlow_m = {}\nhigh_m = {}", list(&tank.low), list(&tank.high))?;
     writeln!(f, "open = {}", words(&tank.open))?;
     match tank.walls {
         Walls::Dynamic => writeln!(f, "walls = \"dynamic\"")?,
-        Walls::Extrapolated(slip) => writeln!(f, "walls = \"extrapolated\"\nslip = \"{slip}\"")?,
+        Walls::Extrapolated(along) => {
+            writeln!(f, "walls = \"extrapolated\"")?;
+            slip(f, along)?;
+        }
     }
     writeln!(f, "layers = {}", tank.layers)?;
     for wall in &tank.moving {
@@ -85,6 +68,16 @@ fn tank(f: &mut fmt::Formatter<'_>, tank: &Tank) -> fmt::Result {
         writeln!(f, "velocity_m_per_s = {}", list(&wall.velocity))?;
     }
     Ok(())
+}
+
+fn slip(f: &mut fmt::Formatter<'_>, slip: Slip) -> fmt::Result {
+    match slip {
+        Slip::NoSlip => writeln!(f, "slip = \"no-slip\""),
+        Slip::FreeSlip => writeln!(f, "slip = \"free-slip\""),
+        Slip::Friction(coefficient) => {
+            writeln!(f, "slip = \"friction\"\nfriction_coefficient = {coefficient:?}")
+        }
+    }
 }
 
 fn output(f: &mut fmt::Formatter<'_>, output: &Output) -> fmt::Result {

@@ -3,6 +3,7 @@
 //! A law sees one particle at a time and always three dimensions; it knows no kernel and no neighbour.
 
 mod absent;
+mod any_surface;
 mod at_rest;
 mod drag;
 mod drucker_prager;
@@ -13,6 +14,7 @@ mod water;
 mod yield_surface;
 
 pub use absent::Absent;
+pub use any_surface::AnySurface;
 pub use at_rest::LateralRatio;
 pub use drag::{Conductivity, Darcy, DragLaw, NoDrag};
 pub use drucker_prager::{Cone, DruckerPrager};

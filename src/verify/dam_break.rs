@@ -6,6 +6,8 @@ use crate::mixture::Mixture;
 use crate::real::{Num, Real};
 use std::collections::BTreeMap;
 
+pub use super::Curve;
+
 /// Width L of the water column \[m\]; it is twice as high.
 pub const WIDTH: f64 = 0.1;
 /// Height H of the water column \[m\].
@@ -30,82 +32,6 @@ pub fn front<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Materi
     let edge =
         |i: usize| water.positions()[i][0].as_f64() + 0.5 * water.volume(i).as_f64().powf(1.0 / D as f64);
     (water.wall_particles()..water.len()).map(edge).fold(0.0, f64::max) / WIDTH
-}
-
-/// A curve `X(T)`, straight between its points.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Curve {
-    points: Vec<(f64, f64)>,
-}
-
-impl Curve {
-    /// A curve through points in ascending order of `T`.
-    pub fn new(points: Vec<(f64, f64)>) -> Self {
-        Self { points }
-    }
-
-    /// Adds a point behind the last.
-    pub fn push(&mut self, time: f64, value: f64) {
-        self.points.push((time, value));
-    }
-
-    /// Its points.
-    pub fn points(&self) -> &[(f64, f64)] {
-        &self.points
-    }
-
-    /// Its value at `time`; `None` outside.
-    pub fn at(&self, time: f64) -> Option<f64> {
-        let after = self.points.partition_point(|p| p.0 < time);
-        let right = *self.points.get(after)?;
-        if right.0 == time {
-            return Some(right.1);
-        }
-        let left = *self.points.get(after.checked_sub(1)?)?;
-        Some(left.1 + (right.1 - left.1) * (time - left.0) / (right.0 - left.0))
-    }
-
-    /// The part of it between two times, ends included.
-    pub fn between(&self, from: f64, to: f64) -> Self {
-        Self::new(self.points.iter().copied().filter(|p| (from..=to).contains(&p.0)).collect())
-    }
-
-    /// How far its points leave the envelope of `others` at most: zero if it stays inside. Where only
-    /// some of them are known, those make the envelope.
-    pub fn beyond(&self, others: &[&Self]) -> f64 {
-        let beyond = self.points.iter().map(|&(time, value)| {
-            let known = || others.iter().filter_map(|other| other.at(time));
-            let (low, high) =
-                (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
-            (low - value).max(value - high).max(0.0)
-        });
-        // Where nothing is known, nothing can be said.
-        beyond.filter(|x| x.is_finite()).fold(0.0, f64::max)
-    }
-
-    /// Root mean square of its distance from `reference`'s points, each `shift` later, and how many
-    /// points had a counterpart.
-    pub fn distance(&self, reference: &Self, shift: f64) -> (f64, usize) {
-        let errors: Vec<f64> = reference
-            .points
-            .iter()
-            .filter_map(|&(time, value)| Some(self.at(time + shift)? - value))
-            .collect();
-        let mean = errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64;
-        (mean.sqrt(), errors.len())
-    }
-
-    /// The time shift of `reference` between −0.5 and 0.5 that fits best, with what then remains; at
-    /// least nine tenths of the points must have a counterpart.
-    pub fn best_shift(&self, reference: &Self) -> (f64, f64) {
-        let enough = reference.points.len() * 9 / 10;
-        (-500..=500)
-            .map(|k| f64::from(k) * 1e-3)
-            .map(|shift| (shift, self.distance(reference, shift)))
-            .filter(|(_, (_, count))| *count >= enough)
-            .map(|(shift, (rms, _))| (shift, rms))
-            .fold((0.0, f64::INFINITY), |best, next| if next.1 < best.1 { next } else { best })
-    }
 }
 
 /// Root mean square of the pressure less its Shepard mean, over `ρgH`, of the particles farther than
@@ -245,30 +171,4 @@ pub fn stuck<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Materi
         .iter()
         .filter(|x| near(x[0].as_f64(), -9.0, 2.0) && x[1].as_f64() > surface + 2.0 * spacing)
         .count()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parabola(shift: f64) -> Curve {
-        let point = |n| (0.05 * f64::from(n), 1.0 + 0.4 * (0.05 * f64::from(n) + shift).powi(2));
-        Curve::new((0..=80).map(point).collect())
-    }
-
-    #[test]
-    fn a_shift_in_time_is_found() {
-        let (shift, rms) = parabola(0.0).best_shift(&parabola(0.2).between(0.5, 2.5));
-        assert!(rms < 1e-3 && (shift - 0.2).abs() < 2e-3, "{rms} {shift}");
-    }
-
-    #[test]
-    fn leaving_an_envelope_is_measured() {
-        let (low, high) = (parabola(-0.1), parabola(0.1));
-        // The parabolas cross near their feet.
-        assert_eq!(parabola(0.0).between(0.2, 4.0).beyond(&[&low, &high]), 0.0);
-        let by = parabola(0.2).between(1.0, 1.951).beyond(&[&low, &high]);
-        assert!((by - 0.4 * (2.15_f64.powi(2) - 2.05_f64.powi(2))).abs() < 1e-3, "{by}");
-        assert_eq!(low.at(100.0), None);
-    }
 }

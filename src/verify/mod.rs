@@ -23,6 +23,7 @@
 //! ```
 
 mod arrangement;
+mod curve;
 pub mod dam_break;
 mod environment;
 mod expected;
@@ -31,9 +32,11 @@ mod norms;
 mod order;
 mod report;
 mod richardson;
+pub mod sand_column;
 mod study;
 
 pub use arrangement::{Arrangement, Random};
+pub use curve::Curve;
 pub use environment::Environment;
 pub use expected::{Expected, Measured, Point};
 pub use norms::{l_infinity, relative_l2};

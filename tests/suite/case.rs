@@ -1,6 +1,6 @@
 //! Case files: good ones give the same case again, broken ones say where, what and what is allowed.
 
-use alluvium::case::{Case, DiffusionKind, Dumps, Preset, Slip, StepSize, Walls};
+use alluvium::case::{Case, DiffusionKind, Dumps, Preset, Slip, StepSize, Strength, Walls};
 
 const GOOD: &str = r#"name = "dam-break"
 dimension = 2
@@ -213,21 +213,22 @@ fn presets_are_a_base_that_keys_override() {
                  water.block = [{ low_m = [0, 0], high_m = [0.5, 0.5] }]\n";
     let default = parse(short);
     assert_eq!(default.preset, Preset::Default);
-    assert_eq!((default.particles.smoothing_ratio, default.water.reinitialisation_every), (1.3, 0));
+    let water = |case: &Case| case.water.clone().unwrap();
+    assert_eq!((default.particles.smoothing_ratio, water(&default).reinitialisation_every), (1.3, 0));
     let tank = default.tank.as_ref().unwrap();
     assert_eq!((tank.walls, tank.layers), (Walls::Extrapolated(Slip::FreeSlip), 3));
     assert_eq!(default.time.step, StepSize::Courant(0.2));
     assert_eq!(default.output.dumps, Dumps::Every(0.02));
     let fall = 10.0 * (2.0 * 9.81 * 0.5_f64).sqrt();
-    assert!((default.water.sound_speed - fall).abs() < 1e-12, "ten times the speed of a fall");
+    assert!((water(&default).sound_speed - fall).abs() < 1e-12, "ten times the speed of a fall");
     let paper = parse(&format!("preset = \"paper\"\n{short}"));
-    assert_eq!((paper.particles.smoothing_ratio, paper.water.reinitialisation_every), (1.0, 20));
-    assert_eq!(paper.water.diffusion, DiffusionKind::PartialDensity);
+    assert_eq!((paper.particles.smoothing_ratio, water(&paper).reinitialisation_every), (1.0, 20));
+    assert_eq!(water(&paper).diffusion, DiffusionKind::PartialDensity);
     assert_eq!(paper.tank.as_ref().unwrap().walls, Walls::Dynamic);
     assert_eq!(paper.time.step, StepSize::Courant(0.3));
     let mixed = parse(&format!("preset = \"paper\"\n{short}particles.smoothing_ratio = 1.5\n"));
     assert_eq!(mixed.particles.smoothing_ratio, 1.5);
-    assert_eq!(mixed.water.reinitialisation_every, 20);
+    assert_eq!(water(&mixed).reinitialisation_every, 20);
 }
 
 #[test]
@@ -245,23 +246,50 @@ fn what_is_doubtful_is_a_warning() {
     assert!(warned("= 25.0", "= 5.0").contains("density will vary"));
 }
 
-/// The complete case of the documentation.
-fn documented() -> &'static str {
+/// The complete cases of the documentation, of water and of soil.
+fn documented(n: usize) -> &'static str {
     let text = include_str!("../../docs/case-format.md");
-    text.split("```toml\n").nth(1).unwrap().split("```").next().unwrap()
+    text.split("```toml\n").nth(n).unwrap().split("```").next().unwrap()
 }
 
-#[test]
-fn the_documented_case_has_every_key_and_its_defaults() {
-    let (documented, used) = (parse(documented()), parse(documented()).to_string());
+/// Keys of the case as it is used that the documentation leaves out.
+fn undocumented(used: &str, present: &[&str]) -> Vec<String> {
     let keys = |text: &str| {
         let line = |line: &str| line.split(" =").next().unwrap_or("").split(']').next().unwrap().to_owned();
         text.lines().map(line).filter(|key| !key.is_empty()).collect::<Vec<_>>()
     };
-    let mut missing = keys(&used);
-    let present = keys(self::documented());
+    let present: Vec<String> = present.iter().flat_map(|text| keys(text)).collect();
+    let mut missing = keys(used);
     missing.retain(|key| !present.contains(key));
-    assert_eq!(missing, Vec::<String>::new(), "keys that the documentation leaves out");
+    missing
+}
+
+#[test]
+fn the_documented_case_of_soil_has_every_key_and_its_defaults() {
+    let case = parse(documented(2));
+    assert_eq!(undocumented(&case.to_string(), &[documented(1), documented(2)]), Vec::<String>::new());
+    let text = include_str!("../../examples/sand_column.toml");
+    let mut own = parse(&text.replace("dump_interval_s = 0.05\n", ""));
+    let soil = |case: &Case| case.soil.clone().unwrap();
+    let ratios = [&case, &own].map(|case| soil(case).bodies[0].lateral_ratio);
+    assert!((ratios[0] - ratios[1]).abs() < 1e-6, "{ratios:?}");
+    let own_soil = own.soil.as_mut().unwrap();
+    own_soil.bodies[0].lateral_ratio = ratios[0];
+    // The cone's apex is at zero without cohesion, where it may be cut off by name.
+    if let Strength::DruckerPrager { tension_cut_off, .. } = &mut own_soil.strength {
+        *tension_cut_off = Some(0.0);
+    }
+    assert_eq!(case, own, "values said to be defaults are");
+    let cylinder = parse(crate::case_soil::CYLINDER).to_string();
+    let present = [documented(1), documented(2), documented(3)];
+    let missing = undocumented(&cylinder.replace("youngs_modulus_pa", "bulk_modulus_pa"), &present);
+    assert_eq!(missing, ["friction_coefficient"], "a comment there");
+}
+
+#[test]
+fn the_documented_case_has_every_key_and_its_defaults() {
+    let documented = parse(documented(1));
+    assert_eq!(undocumented(&documented.to_string(), &[self::documented(1)]), Vec::<String>::new());
     let own = "name = \"dam-break\"\nend_time_s = 0.5\nparticles.spacing_m = 0.0025\n\
         water.sound_speed_m_per_s = 25.0\nwater.block = [{ low_m = [0, 0], high_m = [0.1, 0.2] }]\n\
         [tank]\nlow_m = [0, 0]\nhigh_m = [0.4, 0.3]\nopen = [\"+y\"]\n\

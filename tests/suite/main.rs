@@ -4,7 +4,13 @@
 mod case;
 #[cfg(feature = "case")]
 mod case_build;
+#[cfg(feature = "case")]
+mod case_soil;
+#[cfg(feature = "case")]
+mod case_soil_build;
 mod determinism;
+#[cfg(feature = "cli")]
+mod drive;
 mod errata;
 mod forensics;
 mod from_outside;
@@ -21,6 +27,7 @@ mod outside;
 mod program;
 mod register;
 mod restart;
+mod soil;
 mod soil_law;
 mod source;
 mod tank;

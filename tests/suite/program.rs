@@ -95,6 +95,95 @@ fn a_broken_case_is_answered_with_3() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
+/// A small pile of sand, in grains of 60 % of its volume.
+const SAND: &str = r#"
+name = "sand"
+end_time_s = 0.004
+[particles]
+spacing_m = 0.02
+[soil]
+reference_density_kg_per_m3 = 2650.0
+volume_fraction = 0.6
+bulk_modulus_pa = 0.7e6
+poissons_ratio = 0.3
+friction_angle_deg = 30.0
+[[soil.block]]
+low_m = [0.0, 0.0]
+high_m = [0.2, 0.1]
+[tank]
+low_m = [0.0, 0.0]
+high_m = [0.4, 0.2]
+open = ["+y"]
+[output]
+dump_interval_s = 0.002
+fields = ["velocity", "stress", "equivalent_plastic_strain"]
+[[gauge]]
+name = "floor"
+position_m = [0.05, 0.01]
+[[gauge]]
+name = "top"
+position_m = [0.05, 0.0]
+quantity = "surface-elevation"
+"#;
+
+#[test]
+fn soil_runs_and_tells_where_its_energy_is() {
+    let folder = scratch("sand");
+    let output = run(&folder, SAND);
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    let out = folder.join("out");
+    let table = |name: &str| {
+        let text = std::fs::read_to_string(out.join(name)).unwrap();
+        alluvium::output::Table::parse(&text).unwrap()
+    };
+    let history = table("history.csv");
+    let first = |name: &str| history.column(name).unwrap()[0];
+    assert_eq!((first("soil_particles"), first("water_particles")), (50.0, 0.0));
+    assert!((first("front [m]") - 0.2).abs() < 1e-12);
+    assert!(first("elastic_energy [J]") > 0.0 && first("compressive_energy [J]") == 0.0);
+    for column in ["taken_by_plastic [J]", "taken_by_cut_off [J]", "force_y_on_wall_-y [N/m]"] {
+        assert!(history.column(column).unwrap().iter().all(|x| x.is_finite()), "{column}");
+    }
+    // The floor bears the weight: 0.6 · 2650 kg/m³ over 0.02 m².
+    let weight = 0.6 * 2650.0 * 9.81 * 0.02;
+    let borne = -first("force_y_on_wall_-y [N/m]");
+    assert!((borne / weight - 1.0).abs() < 0.3, "{borne} N/m of {weight} N/m");
+    let pressure = table("gauges/floor.csv").column("pressure [Pa]").unwrap()[0];
+    assert!(pressure > 500.0 && pressure < 2650.0, "{pressure}");
+    let top = table("gauges/top.csv").column("surface_elevation [m]").unwrap()[0];
+    assert!((top - 0.1).abs() < 5e-3, "{top}");
+    let dump = std::fs::read(out.join("data/soil_0002.vtp")).unwrap();
+    let head = String::from_utf8_lossy(&dump[..3000.min(dump.len())]).into_owned();
+    assert!(head.contains("\"stress\"") && head.contains("\"equivalent_plastic_strain\""), "{head}");
+    assert!(out.join("data/soil.pvd").exists() && !out.join("data/water.pvd").exists());
+    let picture = std::fs::read_to_string(out.join("pictures/particles.svg")).unwrap();
+    assert!(picture.contains("equivalent plastic strain"));
+    // The resolved case, run again, is the same run.
+    let again = scratch("sand-again");
+    let used = std::fs::read_to_string(out.join("case.used.toml")).unwrap();
+    assert_eq!(run(&again, &used).status.code(), Some(0));
+    assert_eq!(dump, std::fs::read(again.join("out/data/soil_0002.vtp")).unwrap());
+    [folder, again].iter().for_each(|folder| std::fs::remove_dir_all(folder).unwrap());
+}
+
+#[test]
+fn every_broken_case_of_soil_is_answered_with_3() {
+    let folder = scratch("broken-soil");
+    let file = folder.join("soil.toml");
+    for mistake in crate::case_soil::MISTAKES {
+        let text = crate::case_soil::SAND.replacen(mistake.from, mistake.to, 1);
+        std::fs::write(&file, text).unwrap();
+        let output = program(&["check".as_ref(), file.as_os_str()]);
+        let shown = errors(&output);
+        assert_eq!(output.status.code(), Some(3), "{shown}");
+        let key = mistake.key.rsplit('.').next().unwrap();
+        for part in ["soil.toml:", key, mistake.value, mistake.what, mistake.allowed] {
+            assert!(shown.contains(part), "`{}`: no `{part}` in\n{shown}", mistake.to);
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
 #[test]
 fn a_far_too_long_step_is_answered_with_4_and_a_dump() {
     let folder = scratch("failing");

@@ -1,12 +1,13 @@
 //! The command line.
 
+use crate::drive::DriveOptions;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Smoothed particle hydrodynamics of water and soil.
 ///
-/// Exit codes: 0 done, 1 a file could not be read or written, 2 wrong usage, 3 the case is invalid,
-/// 4 the numbers went wrong, 130 interrupted by ctrl-C (after the last state was written).
+/// Exit codes: 0 done, 1 a file could not be read or written, 2 wrong usage, 3 the case or the
+/// law is invalid, 4 the numbers went wrong, 130 interrupted by ctrl-C (after the last state was written).
 #[derive(Debug, Parser)]
 #[command(name = "alluvium", version, arg_required_else_help = true)]
 pub struct Arguments {
@@ -22,6 +23,8 @@ pub enum Command {
     Run(RunOptions),
     /// Read a case file without running it: what is wrong with it, what it would cost.
     Check(CheckOptions),
+    /// Drive a law of soil along a path of strain and stress, without particles.
+    Drive(DriveOptions),
     /// List what can be reproduced.
     List,
 }

@@ -1,5 +1,5 @@
-//! Pictures of any run: the water at a few instants, by pressure in two dimensions, seen from the front
-//! and above by speed in three.
+//! Pictures of any run at a few instants: soil by its plastic strain; water by pressure in two dimensions, by
+//! speed in three, where all is seen from the front and above.
 
 use crate::plots::{Panel, ParticlePicture};
 use crate::solver::{Seen, Solver, View};
@@ -35,15 +35,15 @@ impl<'a> Gallery<'a> {
     /// The picture, if there is anything to draw.
     pub fn svg(&self) -> Option<String> {
         let flat = self.case.dimension == 2;
-        let of = |seen: &Seen| if flat { seen.pressure * 1e-3 } else { seen.speed };
+        let (of, quantity, least) = self.shown();
         let mut values: Vec<f64> =
-            self.views.iter().flat_map(|(_, view)| view.water.iter().map(of)).collect();
+            self.views.iter().flat_map(|(_, view)| self.particles(view).iter().map(of)).collect();
         values.sort_unstable_by(f64::total_cmp);
         // A few extremes must not take all the colours.
         let top = values.get(values.len().checked_sub(1)? * 99 / 100)?;
         let picture = ParticlePicture {
-            quantity: if flat { "pressure [kPa]" } else { "speed [m/s]" },
-            range: (0.0, top.max(1e-9)),
+            quantity,
+            range: (0.0, top.max(least)),
             window: self.window(),
             spacing: self.case.particles.spacing,
             axes: ["x [m]", "y [m]"],
@@ -51,11 +51,25 @@ impl<'a> Gallery<'a> {
         };
         let panel = |(time, view): &(f64, View)| Panel {
             caption: format!("t = {time:.3} s"),
-            layers: if flat { vec![layer(view.water.iter(), of)] } else { self.layers(view, of) },
+            layers: if flat { vec![layer(self.particles(view).iter(), of)] } else { self.layers(view, of) },
             walls: if flat { view.walls.iter().map(|x| [x[0], x[1]]).collect() } else { Vec::new() },
             lines: self.edges(),
         };
         Some(picture.svg(&self.views.iter().map(panel).collect::<Vec<_>>()))
+    }
+
+    /// The soil, or the water where there is no soil.
+    fn particles<'v>(&self, view: &'v View) -> &'v [Seen] {
+        if self.case.soil.is_some() { &view.soil } else { &view.water }
+    }
+
+    /// What particles are coloured by, and the least a colour bar ends at.
+    fn shown(&self) -> (fn(&Seen) -> f64, &'static str, f64) {
+        match (self.case.soil.is_some(), self.case.dimension) {
+            (true, _) => (|seen| seen.equivalent_plastic_strain, "equivalent plastic strain [-]", 1e-3),
+            (_, 2) => (|seen| seen.pressure * 1e-3, "pressure [kPa]", 1e-9),
+            _ => (|seen| seen.speed, "speed [m/s]", 1e-9),
+        }
     }
 
     /// The edges of a tank of three dimensions.
@@ -74,7 +88,7 @@ impl<'a> Gallery<'a> {
     /// Slices of one spacing across z, the farthest first.
     fn layers(&self, view: &View, of: impl Fn(&Seen) -> f64 + Copy) -> Vec<Vec<([f64; 2], f64)>> {
         let slice = |seen: &&Seen| (seen.place[2] / self.case.particles.spacing).floor() as i64;
-        let mut far_to_near: Vec<&Seen> = view.water.iter().collect();
+        let mut far_to_near: Vec<&Seen> = self.particles(view).iter().collect();
         far_to_near.sort_by_key(slice);
         far_to_near
             .chunk_by(|a, b| slice(a) == slice(b))
@@ -82,16 +96,16 @@ impl<'a> Gallery<'a> {
             .collect()
     }
 
-    /// What is shown: the tank, or the blocks with room around them.
+    /// What is shown: the tank, or what there is at the start with room around them.
     fn window(&self) -> ([f64; 2], [f64; 2]) {
         let case = self.case;
-        let blocks = || case.water.blocks.iter();
+        let boxes = case.boxes();
         let (low, high): (Vec<f64>, Vec<f64>) = (0..case.dimension)
             .map(|k| match &case.tank {
                 Some(tank) => (tank.low[k], tank.high[k]),
                 None => {
-                    let low = blocks().map(|block| block.low[k]).fold(f64::INFINITY, f64::min);
-                    let high = blocks().map(|block| block.high[k]).fold(f64::NEG_INFINITY, f64::max);
+                    let low = boxes.iter().map(|(low, _)| low[k]).fold(f64::INFINITY, f64::min);
+                    let high = boxes.iter().map(|(_, high)| high[k]).fold(f64::NEG_INFINITY, f64::max);
                     (low - 0.5 * (high - low), high + 0.5 * (high - low))
                 }
             })

@@ -1,7 +1,8 @@
-//! The program `alluvium`: runs cases of water and shows what came out.
+//! The program `alluvium`: runs cases of soil or water, drives laws, and shows what came out.
 
 mod arguments;
 mod connect;
+mod drive;
 mod folder;
 mod gallery;
 mod interrupt;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Reproduce(options) => reproduce::reproduce(options),
         Command::Run(options) => run::run_file(options),
         Command::Check(options) => preflight::check_file(&options.case),
+        Command::Drive(options) => drive::drive(options),
         Command::List => {
             reproduce::list();
             Ok(())

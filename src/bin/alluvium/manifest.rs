@@ -25,6 +25,7 @@ impl Manifest {
             "preset": case.preset.to_string(),
             "dimension": case.dimension,
             "precision": case.precision.to_string(),
+            "soil_particles": case.soil_particles(),
             "water_particles": case.water_particles(),
         });
         Self {

@@ -1,6 +1,7 @@
 //! How a command can fail, and the exit code of each way.
 
 use alluvium::case::CaseError;
+use alluvium::error::ParameterError;
 use core::fmt;
 use std::io;
 
@@ -13,6 +14,8 @@ pub enum Failure {
     Usage(String),
     /// The case cannot be run.
     Case(CaseError),
+    /// No such law.
+    Law(ParameterError),
     /// The case is valid, but this build cannot run it.
     NotInThisBuild(String),
     /// The numbers went wrong; the message names what, where and when.
@@ -27,7 +30,7 @@ impl Failure {
         match self {
             Self::File(_) => 1,
             Self::Usage(_) => 2,
-            Self::Case(_) | Self::NotInThisBuild(_) => 3,
+            Self::Case(_) | Self::Law(_) | Self::NotInThisBuild(_) => 3,
             Self::Numerical(_) => 4,
             Self::Interrupted => 130,
         }
@@ -40,6 +43,7 @@ impl fmt::Display for Failure {
             Self::File(error) => write!(f, "error: {error}"),
             Self::Usage(what) | Self::NotInThisBuild(what) => write!(f, "error: {what}"),
             Self::Case(error) => write!(f, "{error}"),
+            Self::Law(error) => write!(f, "error: {error}"),
             Self::Numerical(what) => write!(f, "error: the run stopped: {what}"),
             Self::Interrupted => f.write_str("interrupted"),
         }
@@ -55,5 +59,11 @@ impl From<io::Error> for Failure {
 impl From<CaseError> for Failure {
     fn from(error: CaseError) -> Self {
         Self::Case(error)
+    }
+}
+
+impl From<ParameterError> for Failure {
+    fn from(error: ParameterError) -> Self {
+        Self::Law(error)
     }
 }

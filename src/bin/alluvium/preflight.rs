@@ -3,7 +3,7 @@
 use crate::connect;
 use crate::outcome::Failure;
 use crate::run::read_case;
-use alluvium::case::{Case, StepSize};
+use alluvium::case::{Case, Soil, StepSize};
 use std::path::Path;
 
 /// `alluvium check CASE.toml`.
@@ -25,20 +25,24 @@ pub fn summary(case: &Case) -> String {
         limits.iter().copied().fold(("", f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
     let step = if let StepSize::Fixed(step) = case.time.step { step } else { shortest };
     let steps = (case.end_time / step).ceil();
-    let work = steps * case.water_particles() as f64;
+    let (soil, water) = (case.soil_particles(), case.water_particles());
+    let work = steps * (soil + water) as f64;
+    let matter = match (&case.soil, &case.water) {
+        (Some(_), Some(_)) => format!("{soil} particles of soil and {water} of water"),
+        (Some(_), None) => format!("{soil} particles of soil"),
+        _ => format!("{water} particles of water"),
+    };
     let mut lines = vec![
-        format!(
-            "{} particles of water in {} dimensions, {}",
-            case.water_particles(),
-            case.dimension,
-            case.precision
-        ),
+        format!("{matter} in {} dimensions, {}", case.dimension, case.precision),
         format!(
             "spacing {spacing} m, smoothing length {h:.6} m, {} with support {support:.6} m",
             case.particles.kernel
         ),
-        format!("about {neighbours} neighbours inside the water"),
+        format!("about {neighbours} neighbours of each inside"),
     ];
+    if let Some(soil) = &case.soil {
+        lines.push(speeds(soil));
+    }
     lines.extend(
         limits.iter().map(|(name, limit)| format!("step allowed by the {name} limit: {limit:.3e} s")),
     );
@@ -48,13 +52,18 @@ pub fn summary(case: &Case) -> String {
     lines.join("\n")
 }
 
+fn speeds(soil: &Soil) -> String {
+    let (wave, sound) = (soil.fastest_wave(), soil.sound_speed);
+    format!("compression waves in the soil at {wave:.3} m/s, speed of sound {sound:.3} m/s")
+}
+
 /// Estimates of the step each limit allows \[s\].
 fn limits(case: &Case) -> Vec<(&'static str, f64)> {
-    let (h, water) = (case.smoothing_length(), &case.water);
+    let h = case.smoothing_length();
     let courant = if let StepSize::Courant(courant) = case.time.step { courant } else { 0.2 };
     let gravity = case.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
-    let mut limits = vec![("acoustic", courant * h / water.sound_speed)];
-    if water.viscosity > 0.0 {
+    let mut limits = vec![("acoustic", courant * h / case.fastest_wave())];
+    if let Some(water) = case.water.as_ref().filter(|water| water.viscosity > 0.0) {
         limits.push(("viscous", 0.125 * h * h * water.reference_density / water.viscosity));
     }
     if gravity > 0.0 {

@@ -1,7 +1,8 @@
 //! Published data, part of the program.
 
 use alluvium::output::{Table, TableError};
-use alluvium::verify::dam_break::{Curve, Reference};
+use alluvium::verify::Curve;
+use alluvium::verify::dam_break::Reference;
 
 /// Martin & Moyce 1952, front of a column twice as high as wide: T = t √(2g/L), X = x/L.
 pub const MARTIN_MOYCE: &str = include_str!("../../../verification/data/martin_moyce_1952_n2eq2_front.csv");
@@ -9,6 +10,10 @@ pub const MARTIN_MOYCE: &str = include_str!("../../../verification/data/martin_m
 pub const KOSHIZUKA_OKA: &str = include_str!("../../../verification/data/koshizuka_oka_1996_experiment.csv");
 /// Koshizuka & Oka 1996, their moving-particle computation.
 pub const KOSHIZUKA_OKA_MPS: &str = include_str!("../../../verification/data/koshizuka_oka_1996_mps.csv");
+/// Bui et al. 2008, final surface of a column of aluminium bars.
+pub const BUI_SURFACE: &str = include_str!("../../../verification/data/bui_2008_surface.csv");
+/// The same column's failure line.
+pub const BUI_FAILURE_LINE: &str = include_str!("../../../verification/data/bui_2008_failure_line.csv");
 /// Finite-volume reference of the dam break: horizontal velocity at t = 0.2 s.
 const VOLUME_OF_FLUID: &str = include_str!("../../../verification/data/dam_break_vof_u_t0.200.csv");
 

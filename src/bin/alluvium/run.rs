@@ -22,7 +22,7 @@ pub struct Finished {
     pub folder: RunFolder,
     /// Steps it took.
     pub steps: u64,
-    /// Particles of water and of walls.
+    /// Particles that move, and of walls.
     pub particles: (usize, usize),
     /// How long it took \[s\].
     pub wall_clock: f64,
@@ -230,13 +230,13 @@ impl<'a, 'b> Run<'a, 'b> {
 
     fn log_row(&self, solver: &dyn Solver, step: Step) -> String {
         let (time, steps, part) = (solver.time(), solver.steps(), solver.time() / self.case.end_time);
-        let (water, walls) = solver.particles();
+        let (moving, walls) = solver.particles();
         let wall = self.reporter.elapsed();
         let start = format!("dump {:04}  t = {time:.5} s  step {steps}", self.dumps);
         if steps == 0 {
-            return format!("{start}  {water} water + {walls} wall particles");
+            return format!("{start}  {moving} + {walls} wall particles");
         }
-        let speed = (water + walls) as f64 * steps as f64 / wall.max(1e-9) / 1e6;
+        let speed = (moving + walls) as f64 * steps as f64 / wall.max(1e-9) / 1e6;
         format!(
             "{start}  Δt = {:.3e} s ({})  {speed:.1} M particle-steps/s  left {}",
             step.length,

@@ -3,6 +3,7 @@
 use alluvium::case::{Field, Gauge};
 use alluvium::output::Vtp;
 use alluvium::verify::dam_break::{Reference, VelocityError};
+use alluvium::verify::sand_column::{Pile, Section};
 
 /// One step that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,20 +18,30 @@ pub struct Step {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stopped(pub String);
 
-/// A water particle of a picture.
+/// A particle of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
+    /// Its number, the same through the run.
+    #[allow(dead_code, reason = "for pictures of where particles went, which are to come")]
+    pub id: u32,
     /// Where it is \[m\].
     pub place: [f64; 3],
+    /// How far from where it started \[m\].
+    #[allow(dead_code, reason = "for pictures of where particles went, which are to come")]
+    pub displacement: [f64; 3],
     /// Its pressure \[Pa\].
     pub pressure: f64,
     /// Its speed \[m/s\].
     pub speed: f64,
+    /// Its equivalent plastic strain \[-\]; 0 of water.
+    pub equivalent_plastic_strain: f64,
 }
 
 /// Particles for a picture.
 #[derive(Clone, Debug, Default)]
 pub struct View {
+    /// The soil.
+    pub soil: Vec<Seen>,
     /// The water.
     pub water: Vec<Seen>,
     /// Where wall particles are \[m\].
@@ -45,7 +56,7 @@ pub trait Solver {
     /// Steps taken so far.
     fn steps(&self) -> u64;
 
-    /// Particles of water and of walls.
+    /// Particles that move, of soil and water, and of walls.
     fn particles(&self) -> (usize, usize);
 
     /// One step that ends at `until` at the latest. After a failure the state is the one that failed, and
@@ -56,7 +67,7 @@ pub trait Solver {
     /// order.
     fn quantities(&mut self) -> Vec<(String, f64)>;
 
-    /// The particles, one file per phase, with its name, as in `water`.
+    /// The particles, one file per phase there is, with its name, as in `water`.
     fn files(&mut self, fields: &[Field]) -> Vec<(&'static str, Vtp)>;
 
     /// What a gauge measures: one column each, with unit.
@@ -67,6 +78,11 @@ pub trait Solver {
 
     /// What is measured on a dam break, against a finite-volume solution of it.
     fn dam_break(&self, reference: &Reference) -> DamBreak;
+
+    /// The soil in a section, for what is measured on a column of sand; none unless a solver has soil.
+    fn pile(&self, section: Section) -> Pile {
+        Pile::new(section, 0.0, Vec::new())
+    }
 }
 
 /// Measures of a dam break at one instant.
@@ -84,7 +100,7 @@ pub struct DamBreak {
 
 /// Names of recorded quantities that pictures are drawn from; a solver may record more.
 pub mod quantity {
-    /// Farthest place of the water along x: the foremost particle and half its spacing.
+    /// Farthest place of the water along x, or of the soil where there is no water: the foremost particle and half its spacing.
     pub const FRONT: &str = "front [m]";
     /// Energies; per metre of depth in two dimensions.
     pub const KINETIC: &str = "kinetic_energy [J]";
@@ -92,6 +108,8 @@ pub mod quantity {
     pub const POTENTIAL: &str = "potential_energy [J]";
     /// Of compression.
     pub const COMPRESSIVE: &str = "compressive_energy [J]";
+    /// Of the soil's skeleton.
+    pub const ELASTIC: &str = "elastic_energy [J]";
     /// Beginning of every column of energy that a term took, as in `taken_by_artificial_viscosity [J]`;
     /// negative if it gave.
     pub const TAKEN: &str = "taken_by_";

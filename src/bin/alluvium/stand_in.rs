@@ -95,8 +95,15 @@ impl Solver for StandIn {
     }
 
     fn view(&mut self) -> View {
-        let seen = Seen { place: [self.front(), 0.0, 0.0], pressure: 500.0, speed: 1.0 };
-        View { water: vec![seen], walls: vec![[0.0, -0.01, 0.0]] }
+        let seen = Seen {
+            id: 0,
+            place: [self.front(), 0.0, 0.0],
+            displacement: [self.front() - 0.1, 0.0, 0.0],
+            pressure: 500.0,
+            speed: 1.0,
+            equivalent_plastic_strain: 0.0,
+        };
+        View { soil: Vec::new(), water: vec![seen], walls: vec![[0.0, -0.01, 0.0]] }
     }
 
     fn dam_break(&self, _: &Reference) -> DamBreak {

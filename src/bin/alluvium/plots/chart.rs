@@ -6,6 +6,9 @@ use super::scale::Scale;
 
 const MARGIN: Margin = Margin { left: 84.0, right: 22.0, top: 46.0, bottom: 58.0 };
 
+/// Width and height of a chart.
+const SIZE: (f64, f64) = (760.0, 480.0);
+
 struct Margin {
     left: f64,
     right: f64,
@@ -129,7 +132,7 @@ impl Chart {
 
     /// The picture.
     pub fn svg(&self) -> String {
-        let (width, height) = (760.0, 480.0);
+        let (width, height) = SIZE;
         let mut canvas = Canvas::new(width, height);
         let places_x = (MARGIN.left, width - MARGIN.right);
         let places_y = (height - MARGIN.bottom, MARGIN.top);
@@ -233,6 +236,17 @@ impl Chart {
         };
         corners.into_iter().min_by_key(hidden).unwrap_or(corners[0])
     }
+}
+
+/// Charts in a row, as one picture.
+pub fn beside(charts: &[Chart]) -> String {
+    let mut canvas = Canvas::new(SIZE.0 * charts.len() as f64, SIZE.1);
+    for (n, chart) in charts.iter().enumerate() {
+        canvas.raw(&format!("<g transform=\"translate({} 0)\">", SIZE.0 * n as f64));
+        canvas.raw(&chart.svg());
+        canvas.raw("</g>");
+    }
+    canvas.finish()
 }
 
 fn scale(range: (f64, f64), places: (f64, f64), log: bool) -> Scale {

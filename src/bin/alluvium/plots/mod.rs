@@ -9,6 +9,6 @@ mod particles;
 mod samples;
 mod scale;
 
-pub use chart::{Chart, Series};
+pub use chart::{Chart, Series, beside};
 pub use convergence::convergence;
 pub use particles::{Panel, ParticlePicture};

@@ -13,6 +13,9 @@ const LEFT: f64 = 66.0;
 const TOP: f64 = 50.0;
 const BAR: f64 = 96.0;
 
+/// How a quantity's range is laid on places.
+type Axis = fn((f64, f64), (f64, f64)) -> Scale;
+
 /// One instant.
 pub struct Panel {
     /// What is written above it.
@@ -44,6 +47,15 @@ pub struct ParticlePicture<'a> {
 impl ParticlePicture<'_> {
     /// The picture of these instants.
     pub fn svg(&self, panels: &[Panel]) -> String {
+        self.draw(panels, Scale::linear)
+    }
+
+    /// The same with a colour bar in decades; what is below its lower end has that end's colour.
+    pub fn svg_logarithmic(&self, panels: &[Panel]) -> String {
+        self.draw(panels, Scale::logarithmic)
+    }
+
+    fn draw(&self, panels: &[Panel], axis: Axis) -> String {
         let columns = self.columns.clamp(1, panels.len().max(1));
         let rows = panels.len().max(1).div_ceil(columns);
         let size = self.panel_size();
@@ -54,10 +66,10 @@ impl ParticlePicture<'_> {
             let (column, row) = (n % columns, n / columns);
             let at = (LEFT + column as f64 * (size.0 + GAP.0), TOP + row as f64 * (size.1 + GAP.1));
             let is_lowest = n + columns >= panels.len();
-            self.panel(&mut canvas, panel, at, (column == 0, is_lowest));
+            self.panel(&mut canvas, panel, at, (column == 0, is_lowest), axis);
         }
         let bar = size.1.max((height - TOP - GAP.1).min(320.0));
-        self.colour_bar(&mut canvas, (right + 4.0, TOP), bar);
+        self.colour_bar(&mut canvas, (right + 4.0, TOP), bar, axis);
         canvas.finish()
     }
 
@@ -66,7 +78,7 @@ impl ParticlePicture<'_> {
         (PANEL_WIDTH, PANEL_WIDTH * (high[1] - low[1]) / (high[0] - low[0]))
     }
 
-    fn panel(&self, canvas: &mut Canvas, panel: &Panel, at: (f64, f64), labelled: (bool, bool)) {
+    fn panel(&self, canvas: &mut Canvas, panel: &Panel, at: (f64, f64), labelled: (bool, bool), axis: Axis) {
         let size = self.panel_size();
         let (low, high) = self.window;
         let x = Scale::linear((low[0], high[0]), (at.0, at.0 + size.0));
@@ -76,7 +88,7 @@ impl ParticlePicture<'_> {
             let at = |p: &[f64; 2]| (x.place(p[0]), y.place(p[1]));
             canvas.line(at(from), at(to), Stroke { colour: "#999", width: 1.0, dash: "" });
         }
-        self.dots(canvas, panel, x, y);
+        self.dots(canvas, panel, (x, y), axis(self.range, (0.0, 1.0)));
         canvas.rectangle(at, size, "none", "#222");
         canvas.text((at.0, at.1 - 9.0), 14.0, Anchor::Start, &panel.caption);
         let tick = Stroke { colour: "#222", width: 1.0, dash: "" };
@@ -100,18 +112,17 @@ impl ParticlePicture<'_> {
     }
 
     /// One path of round dots per shade, in tenths of a pixel.
-    fn dots(&self, canvas: &mut Canvas, panel: &Panel, x: Scale, y: Scale) {
+    fn dots(&self, canvas: &mut Canvas, panel: &Panel, (x, y): (Scale, Scale), shade: Scale) {
         let mut walls = String::new();
         let put = |path: &mut String, p: [f64; 2]| {
             if x.contains(p[0]) && y.contains(p[1]) {
                 write!(path, "M{:.0} {:.0}h0", 10.0 * x.place(p[0]), 10.0 * y.place(p[1])).ok();
             }
         };
-        let (low, high) = self.range;
         let shaded = |layer: &Vec<([f64; 2], f64)>| {
             let mut paths = vec![String::new(); SHADES];
             for (place, value) in layer {
-                let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
+                let part = shade.place(*value).clamp(0.0, 1.0);
                 put(&mut paths[((part * SHADES as f64) as usize).min(SHADES - 1)], *place);
             }
             paths
@@ -133,7 +144,7 @@ impl ParticlePicture<'_> {
         canvas.raw("</g>");
     }
 
-    fn colour_bar(&self, canvas: &mut Canvas, at: (f64, f64), height: f64) {
+    fn colour_bar(&self, canvas: &mut Canvas, at: (f64, f64), height: f64, axis: Axis) {
         let step = height / SHADES as f64;
         for n in 0..SHADES {
             let top = at.1 + height - (n + 1) as f64 * step;
@@ -141,7 +152,7 @@ impl ParticlePicture<'_> {
             canvas.rectangle((at.0, top), (16.0, step + 0.4), &colour, "");
         }
         canvas.rectangle(at, (16.0, height), "none", "#222");
-        let scale = Scale::linear(self.range, (at.1 + height, at.1));
+        let scale = axis(self.range, (at.1 + height, at.1));
         for (value, label) in scale.ticks(6) {
             let y = scale.place(value);
             canvas.line((at.0 + 16.0, y), (at.0 + 20.0, y), Stroke { colour: "#222", width: 1.0, dash: "" });

@@ -1,6 +1,6 @@
 //! Pictures of made-up data: each is whole, and small enough to share.
 
-use super::{Chart, Panel, ParticlePicture, Series, convergence};
+use super::{Chart, Panel, ParticlePicture, Series, beside, convergence};
 use std::path::PathBuf;
 
 /// Where pictures go if `ALLUVIUM_SAMPLES` names a folder: to look at.
@@ -45,6 +45,10 @@ fn particles() {
     assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
     keep("particles.svg", &svg);
     keep("particles_one.svg", &picture.svg(&[slump(0.1)]));
+    let strain = ParticlePicture { quantity: "strain [-]", range: (0.01, 2.0), ..picture };
+    let strains = strain.svg_logarithmic(&[0.0, 0.1].map(slump));
+    assert!(strains.contains(">0.01<") && strains.contains(">0.1<"));
+    keep("particles_logarithmic.svg", &strains);
 }
 
 #[test]
@@ -77,4 +81,7 @@ fn curves() {
     let (svg, _) =
         convergence("Error against the volume-of-fluid reference", "Δx [m]", "L₂ error (78)", &errors, 1.0);
     keep("convergence.svg", &svg);
+    let two = beside(&[chart, steps]);
+    assert_eq!(two.matches("</svg>").count(), 3);
+    keep("two.svg", &two);
 }

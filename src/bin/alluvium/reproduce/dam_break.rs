@@ -4,6 +4,7 @@ mod pictures;
 mod report;
 
 use super::bad_table;
+use super::ledger::Ledger;
 use crate::arguments::{PrecisionName, PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::published::{KOSHIZUKA_OKA, KOSHIZUKA_OKA_MPS, MARTIN_MOYCE, curve, volume_of_fluid};
@@ -62,7 +63,7 @@ fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Fai
     let results = Results::read(&table).map_err(|error| bad_table("a table", &error))?;
     let spacing = case.particles.spacing;
     folder.write("pictures/front.svg", &pictures::front(&results, spacing))?;
-    folder.write("pictures/energy.svg", &pictures::energy(&results))?;
+    folder.write("pictures/energy.svg", &results.ledger.svg("Dam break: where the energy is"))?;
     folder.write("pictures/time_step.svg", &pictures::time_step(&results))?;
     folder.write("pictures/particles.svg", &pictures::particles(&watch.views, spacing))?;
     let report = report_head + &report::bars(case, &results, watch);
@@ -107,10 +108,7 @@ pub(super) struct Results {
     /// Times, steps \[s\] and what bounded them, those cut short by an instant of output left out.
     steps: Vec<(f64, f64, String)>,
     front: Curve,
-    /// Names and energies, stored first, then what terms took.
-    energies: Vec<(String, Vec<f64>)>,
-    /// Energy no account explains, over the potential energy at the start.
-    closure: Vec<f64>,
+    ledger: Ledger,
     published: [(&'static str, Curve); 3],
 }
 
@@ -119,12 +117,6 @@ impl Results {
         let time = history.column("time [s]")?;
         let front = history.column(quantity::FRONT)?;
         let front = time.iter().zip(front).map(|(t, x)| (dimensionless_time(*t), x / WIDTH)).collect();
-        let stored = [quantity::POTENTIAL, quantity::KINETIC, quantity::COMPRESSIVE].map(str::to_owned);
-        let taken = history.columns().iter().filter(|name| name.starts_with(quantity::TAKEN)).cloned();
-        let energies = stored.into_iter().chain(taken);
-        let energies = energies.map(|name| Ok((pictures::readable(&name), history.column(&name)?)));
-        let whole = history.column(quantity::POTENTIAL)?.first().copied().unwrap_or(1.0);
-        let closure = history.column(quantity::CLOSURE)?.into_iter().map(|x| x / whole).collect();
         let limits = history.text("limit")?;
         let steps = time.iter().copied().zip(history.column("time_step [s]")?).zip(limits);
         let steps = steps.filter(|(_, limit)| !["none", "end"].contains(limit));
@@ -132,8 +124,7 @@ impl Results {
         Ok(Self {
             steps: steps.collect(),
             front: Curve::new(front),
-            energies: energies.collect::<Result<_, _>>()?,
-            closure,
+            ledger: Ledger::read(history)?,
             published: [
                 ("Martin & Moyce 1952, n² = 2", curve(MARTIN_MOYCE, "T", "Z")?),
                 ("Koshizuka & Oka 1996, experiment", curve(KOSHIZUKA_OKA, "T", "X")?),

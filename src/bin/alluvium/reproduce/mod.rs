@@ -1,7 +1,10 @@
 //! Results of the paper, each from one command.
 
+mod bars;
 mod convergence;
 mod dam_break;
+mod ledger;
+mod sand_column;
 
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
@@ -25,6 +28,17 @@ const ALL: &[Reproduction] = &[
         about: "the same at four resolutions: error of the horizontal velocity at t = 0.2 s against a \
                 finite-volume solution, and its order (paper, Fig. 5)",
         run: convergence::reproduce,
+    },
+    Reproduction {
+        name: "sand-column",
+        about: "the collapse of a column of sand, 12 800 particles: final surface and failure line against \
+                Bui et al. 2008, plastic strain, energy budget; beside it the paper's flow rule",
+        run: sand_column::reproduce,
+    },
+    Reproduction {
+        name: "sand-column-run-out",
+        about: "columns of aspect ratios from 0.5 to 4: how far they run, over laws from other experiments",
+        run: sand_column::run_out::reproduce,
     },
 ];
 

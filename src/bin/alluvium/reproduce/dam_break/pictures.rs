@@ -2,7 +2,7 @@
 
 use super::Results;
 use crate::plots::{Chart, Panel, ParticlePicture, Series};
-use crate::solver::{View, quantity};
+use crate::solver::View;
 use alluvium::verify::dam_break::{TANK, WIDTH, dimensionless_time};
 
 /// The front against published data.
@@ -22,24 +22,6 @@ fn points(curve: &alluvium::verify::dam_break::Curve) -> Vec<(f64, f64)> {
     curve.points().to_vec()
 }
 
-/// Stored and taken energy, stacked: the top edge is level if all is accounted for.
-pub fn energy(results: &Results) -> String {
-    let whole: f64 = results.energies.iter().filter_map(|(_, e)| e.first()).sum();
-    // As many points as there are pixels in the width of two.
-    let every = (results.time.len() / 250).max(1);
-    let shares = |e: &Vec<f64>| e.iter().step_by(every).map(|e| e / whole).collect::<Vec<_>>();
-    let time: Vec<f64> = results.time.iter().step_by(every).copied().collect();
-    // What never holds a five-hundredth cannot be seen.
-    let seen = |e: &Vec<f64>| e.iter().any(|e| e.abs() > 2e-3 * whole);
-    let energies = results.energies.iter().filter(|(_, e)| seen(e));
-    let parts: Vec<_> = energies.map(|(name, e)| (name.as_str(), shares(e))).collect();
-    Chart::new("Dam break: where the energy is", "time [s]", "energy / energy at the start")
-        .x_range(0.0, results.time.last().copied().unwrap_or(1.0))
-        .y_range(0.0, 1.05)
-        .with_all(Series::stack(&time, &parts))
-        .svg()
-}
-
 /// The step in time, where nothing but the equations bounded it, and which limits did.
 pub fn time_step(results: &Results) -> String {
     let steps: Vec<_> = results.steps.iter().map(|(time, step, _)| (*time, step * 1e6)).collect();
@@ -52,12 +34,6 @@ pub fn time_step(results: &Results) -> String {
         .y_range(0.0, 1.2 * longest)
         .with(Series::line(&format!("bound by: {}", limits.join(", ")), steps))
         .svg()
-}
-
-/// `taken_by_artificial_viscosity [J]` as words for a legend.
-pub fn readable(column: &str) -> String {
-    let name = column.split(" [").next().unwrap_or(column);
-    name.replace(quantity::TAKEN, "taken by ").replace('_', " ").replace(" energy", "")
 }
 
 /// Pressure at the paper's times.

@@ -1,6 +1,7 @@
 //! Computed against expected and published, as a table: every bar with its number and a plain yes or no.
 
 use super::{Results, Watch};
+use crate::reproduce::bars::Bars;
 use crate::run::Finished;
 use alluvium::case::{Case, StepSize};
 
@@ -31,29 +32,12 @@ pub fn head(case: &Case, finished: &Finished) -> String {
 
 /// One line per bar.
 pub fn bars(case: &Case, results: &Results, watch: &Watch<'_>) -> String {
-    let mut table = Bars(Vec::new());
+    let mut table = Bars::default();
     fronts(&mut table, results);
     noise(&mut table, case, watch);
     closure(&mut table, case, results);
     strays(&mut table, watch);
     table.markdown()
-}
-
-struct Bars(Vec<String>);
-
-impl Bars {
-    fn add(&mut self, what: &str, measured: impl AsRef<str>, bar: impl AsRef<str>, met: Option<bool>) {
-        let verdict = match met {
-            Some(true) => "yes",
-            Some(false) => "**no**",
-            None => "–",
-        };
-        self.0.push(format!("| {what} | {} | {} | {verdict} |", measured.as_ref(), bar.as_ref()));
-    }
-
-    fn markdown(&self) -> String {
-        "| what | computed | bar | met |\n|---|---|---|---|\n".to_owned() + &self.0.join("\n") + "\n"
-    }
 }
 
 fn fronts(table: &mut Bars, results: &Results) {
@@ -89,10 +73,10 @@ fn noise(table: &mut Bars, case: &Case, watch: &Watch<'_>) {
 }
 
 fn closure(table: &mut Bars, case: &Case, results: &Results) {
-    let booked = case.water.reinitialisation_every > 0;
+    let booked = case.water.as_ref().map_or(0, |water| water.reinitialisation_every) > 0;
     let (bar, kind) = if booked { (2e-3, "with (70) booked") } else { (1e-4, "without (70)") };
-    let last = results.closure.last().copied().unwrap_or(0.0);
-    let largest = results.closure.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let last = results.ledger.closure.last().copied().unwrap_or(0.0);
+    let largest = results.ledger.closure.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     let what = format!("energy closure at {} s over the potential energy at the start", case.end_time);
     table.add(&what, format!("{last:.1e}"), format!("below {bar:e} {kind}"), Some(last.abs() < bar));
     table.add("its largest value on the way", format!("{largest:.1e}"), "none", None);

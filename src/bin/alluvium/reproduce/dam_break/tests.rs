@@ -23,7 +23,7 @@ fn the_case_is_the_papers() {
         };
         let full = case(SPACING);
         assert_eq!((full.water_particles(), full.end_time), (12_800, 0.5));
-        assert_eq!(full.water.sound_speed, 25.0);
+        assert_eq!(full.water.as_ref().unwrap().sound_speed, 25.0);
         assert_eq!(case(2.0 * SPACING).water_particles(), 3_200);
         if preset == PresetName::Paper {
             assert_eq!(full.time.step, StepSize::Fixed(1e-5));
