@@ -68,6 +68,7 @@ pub(super) struct Coupled<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Exchange<K, D> {
     const BLOCKS: usize = (2 * D + 6).div_ceil(4);
     const SUMS: usize = 2 * D + sum::COUNT;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Coupled<N, D>;
 
     #[inline(always)]

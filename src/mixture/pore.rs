@@ -33,6 +33,7 @@ pub(super) struct Seen<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Pore<K, D> {
     const BLOCKS: usize = (2 * D + 2).div_ceil(4);
     const SUMS: usize = 3;
+    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Seen<N, D>;
 
     #[inline(always)]

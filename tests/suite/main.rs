@@ -20,6 +20,7 @@ mod lane_code;
 mod lattice_sums;
 mod layers;
 mod links;
+mod mixture;
 mod neighbours;
 mod output;
 mod outside;

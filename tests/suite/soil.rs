@@ -138,7 +138,7 @@ fn a_lone_constituent_is_what_a_mixture_with_an_empty_one_is() {
     let (kernel, soil) = (*alone.mixture().kernel(), alone.mixture().soil().clone());
     let artificial = ArtificialStress { strength: 0.3, exponent: 4, spacing: SPACING };
     let water = Phase::new(alluvium::material::Water::new(1000.0, 10.0).unwrap());
-    let beside = Mixture::<f64, 2, _, _, _>::new(kernel, soil, water).unwrap();
+    let beside = Mixture::<f64, 2, _, _, _>::new(kernel, soil, water);
     let beside = beside.with_gravity(alone.mixture().gravity()).with_artificial_stress(artificial).unwrap();
     let step = StepSize::courant(0.2).unwrap();
     let mut beside = Simulation::new(beside, LeapFrog::new(), step).with_stress_regularisation(50);
