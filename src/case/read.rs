@@ -66,7 +66,7 @@ impl Context<'_, '_> {
     /// There is soil or water, and not yet both.
     fn constituents(&self, root: &Section<'_, '_>, soil: &Section<'_, '_>, water: &Section<'_, '_>) {
         if soil.is_given() && water.is_given() {
-            let why = "stands beside [water]: the coupling of the two is to come";
+            let why = "stands beside [water]: the coupling of the two is to come to case files";
             self.reader.error("soil", why, "[soil] or [water], not yet both");
         }
         let given = |key| self.reader.given(&root.name(key));
