@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each benchmark uses its part")]
 
 use alluvium::kernel::{Kernel, WendlandC2};
-use alluvium::material::Water;
+use alluvium::material::{Absent, Cone, DruckerPrager, Elasticity, LateralRatio, Soil, SoilMemory, Water};
 use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture, Phase, Wall};
 use alluvium::neighbours::CellList;
 use alluvium::parallel::Threads;
@@ -107,6 +107,9 @@ impl<T: Real, const D: usize> Points<T, D> {
     }
 }
 
+/// A run of sand.
+pub type SandRun<T, const D: usize> = Simulation<T, D, WendlandC2<T, D>, Soil<T>, Absent>;
+
 const GRAVITY: f64 = 9.81;
 const DENSITY: f64 = 1000.0;
 
@@ -153,22 +156,56 @@ impl<const D: usize> DamBreak<D> {
         Simulation::new(self.mixture(set), LeapFrog::new(), step_size)
     }
 
+    /// The same with sand in the place of water: θ = 19.8°, ψ = 0, return mapping.
+    pub fn of_sand<T: Real>(&self, set: InstructionSet) -> SandRun<T, D> {
+        let elasticity = Elasticity::from_bulk(T::of(0.7e6), T::of(0.3)).expect("moduli");
+        let friction = T::of(19.8_f64.to_radians());
+        let cone = DruckerPrager::new(Cone::PlaneStrain, friction, T::ZERO).expect("angles");
+        let ratio = LateralRatio::new(&elasticity, &cone).admissible();
+        let mut sand = Phase::new(Soil::new(T::of(2650.0), elasticity, cone).expect("a soil"));
+        let volume = T::of(self.spacing.powi(D as i32));
+        let (walls, block) = self.places();
+        sand.add_wall(Wall::dynamic(), &walls, volume, |_| T::ZERO).expect("finite");
+        sand.add(&block, volume, |_| T::ZERO).expect("finite");
+        let (up, height) = (D - 1, self.water[D - 1]);
+        sand.set_stress(|x| {
+            let depth = (height - x[up].as_f64()).clamp(0.0, height);
+            SoilMemory::geostatic(T::of(-2650.0 * GRAVITY * depth), ratio, up).stress
+        });
+        let mixture =
+            Mixture::of_soil(self.kernel(), sand).with_gravity(self.gravity()).with_instruction_set(set);
+        Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).expect("a Courant number"))
+    }
+
+    fn kernel<T: Real>(&self) -> WendlandC2<T, D> {
+        WendlandC2::new(T::of(self.smoothing * self.spacing)).expect("a length")
+    }
+
+    fn gravity<T: Real>(&self) -> Vector<T, D> {
+        let mut gravity = [0.0; D];
+        gravity[D - 1] = -GRAVITY;
+        Vector::of(gravity)
+    }
+
+    /// Places of the walls and of the block.
+    fn places<T: Real>(&self) -> (Vec<Vector<T, D>>, Vec<Vector<T, D>>) {
+        let closed = core::array::from_fn(|axis| (true, axis + 1 != D));
+        let walls = setup::tank([0.0; D], self.tank, self.spacing, 1, closed);
+        (walls, setup::fill([0.0; D], self.water, self.spacing))
+    }
+
     fn mixture<T: Real>(&self, set: InstructionSet) -> Mixture<T, D> {
         let height = self.water[D - 1];
         let sound_speed = 10.0 * (GRAVITY * height).sqrt();
         let material = Water::new(T::of(DENSITY), T::of(sound_speed)).expect("sound water");
         let volume = T::of(self.spacing.powi(D as i32));
         let pressure = setup::hydrostatic(T::of(DENSITY), T::of(GRAVITY), D - 1, T::of(height));
-        let closed = core::array::from_fn(|axis| (true, axis + 1 != D));
-        let walls = setup::tank([0.0; D], self.tank, self.spacing, 1, closed);
+        let (walls, block) = self.places();
         let mut water = Phase::new(material);
         water.add_wall(Wall::dynamic(), &walls, volume, |_| T::ZERO).expect("finite");
-        water.add(&setup::fill([0.0; D], self.water, self.spacing), volume, pressure).expect("finite");
-        let mut gravity = [0.0; D];
-        gravity[D - 1] = -GRAVITY;
-        let kernel = WendlandC2::new(T::of(self.smoothing * self.spacing)).expect("a length");
-        Mixture::of_water(kernel, water)
-            .with_gravity(Vector::of(gravity))
+        water.add(&block, volume, pressure).expect("finite");
+        Mixture::of_water(self.kernel(), water)
+            .with_gravity(self.gravity())
             .with_artificial_viscosity(ArtificialViscosity { linear: T::of(0.05), quadratic: T::ZERO })
             .and_then(|mixture| mixture.with_density_diffusion(DensityDiffusion::TrueDensity(T::of(0.1))))
             .expect("sound numerics")

@@ -35,12 +35,31 @@ fn step<T: Real, const D: usize>(criterion: &mut Criterion<CpuTime>, case: &DamB
     group.finish();
 }
 
+/// The same of sand, on the widest lanes: what stress and its return cost.
+fn sand<T: Real, const D: usize>(criterion: &mut Criterion<CpuTime>, case: &DamBreak<D>) {
+    let mut group = criterion.benchmark_group(format!("step/sand {}/{}", case.name, T::NAME));
+    group.sampling_mode(SamplingMode::Flat);
+    group.throughput(Throughput::Elements(STEPS * case.particles() as u64));
+    let set = alluvium::InstructionSet::detect();
+    let mut simulation = case.of_sand::<T>(set);
+    group.bench_function(BenchmarkId::from_parameter(set.name()), |bencher| {
+        bencher.iter(|| {
+            for _ in 0..STEPS {
+                black_box(simulation.step().expect("a sound step"));
+            }
+        });
+    });
+    group.finish();
+}
+
 fn main() {
     scene::run(|criterion| {
         for case in [SMALL, LARGE, LARGE_WIDE] {
             step::<f32, 2>(criterion, &case);
             step::<f64, 2>(criterion, &case);
         }
+        sand::<f32, 2>(criterion, &SMALL);
+        sand::<f64, 2>(criterion, &SMALL);
         step::<f32, 3>(criterion, &SPACE);
         step::<f64, 3>(criterion, &SPACE);
     });

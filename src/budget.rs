@@ -22,6 +22,10 @@ pub enum Account {
     WallExtrapolation,
     /// Body forces without potential.
     External,
+    /// Drag between soil and water (37).
+    Drag,
+    /// Relaxation of the density to the volume sum.
+    Relaxation,
     /// Artificial stress under tension.
     ArtificialStress,
     /// Regularisation of the soil's stress.
@@ -36,7 +40,7 @@ pub enum Account {
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -44,6 +48,8 @@ impl Account {
         Self::WallWork,
         Self::WallExtrapolation,
         Self::External,
+        Self::Drag,
+        Self::Relaxation,
         Self::ArtificialStress,
         Self::Regularisation,
         Self::Plastic,
@@ -61,6 +67,8 @@ impl Account {
             Self::WallWork => "wall_work",
             Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
+            Self::Drag => "drag",
+            Self::Relaxation => "relaxation",
             Self::ArtificialStress => "artificial_stress",
             Self::Regularisation => "regularisation",
             Self::Plastic => "plastic",

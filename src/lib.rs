@@ -6,8 +6,8 @@
 //!
 //! The method is that of Wang, Wang, Peng & Meng (2016), *J. Hydraul. Eng.*,
 //! [10.1061/(ASCE)HY.1943-7900.0001163](https://doi.org/10.1061/(ASCE)HY.1943-7900.0001163); numbers in
-//! brackets such as (58) are its equations. Water is complete; soil and the coupling of the two are to
-//! come. For water, continuity (52) and momentum (58) are
+//! brackets such as (58) are its equations. Water and soil are
+//! complete, each alone. For water, continuity (52) and momentum (58) are
 //!
 //! $$\frac{D\rho_i}{Dt} = \sum_j m_j\,\mathbf v_{ij}\cdot\nabla_i W_{ij} + \delta h c \sum_j
 //! \boldsymbol\psi_{ij}\cdot\nabla_i W_{ij}\,\frac{m_j}{\rho_j},$$
@@ -15,6 +15,8 @@
 //! $$\frac{D\mathbf v_i}{Dt} = -\sum_j m_j\left(\frac{p_i\phi_i}{\rho_i^2}+\frac{p_j\phi_j}{\rho_j^2}
 //! +\Pi_{ij}\right)\nabla_i W_{ij} + \sum_j m_j\left(\frac{\phi_i\boldsymbol\tau_i}{\rho_i^2}
 //! +\frac{\phi_j\boldsymbol\tau_j}{\rho_j^2}\right)\cdot\nabla_i W_{ij} + \mathbf g .$$
+//!
+//! and for soil the same with the stress of its skeleton ([`material::Soil`]).
 //!
 //! # A dam break
 //!

@@ -22,6 +22,7 @@ mod flags;
 mod identity;
 mod kernels;
 mod lattice_sums;
+mod mixture_rates;
 mod operators;
 mod operators_exact;
 mod powers;
@@ -54,6 +55,7 @@ fn studies() -> Vec<Study> {
         operators_exact::studies(),
         still_tank::studies(),
         powers::studies(),
+        mixture_rates::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),

@@ -120,7 +120,7 @@ impl Case {
         if self.dimension != D {
             return Err(BuildError::Dimension { case: self.dimension, asked: D });
         }
-        let mut mixture = Mixture::new(kernel, self.soil_phase()?, self.water_phase()?)?;
+        let mut mixture = Mixture::new(kernel, self.soil_phase()?, self.water_phase()?);
         if let Some(soil) = &self.soil {
             mixture = soil.apply(mixture, self.particles.spacing)?;
         }

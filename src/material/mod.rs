@@ -5,6 +5,7 @@
 mod absent;
 mod any_surface;
 mod at_rest;
+mod drag;
 mod drucker_prager;
 mod elasticity;
 mod mohr_coulomb;
@@ -15,6 +16,7 @@ mod yield_surface;
 pub use absent::Absent;
 pub use any_surface::AnySurface;
 pub use at_rest::LateralRatio;
+pub use drag::{Conductivity, Darcy, DragLaw, NoDrag};
 pub use drucker_prager::{Cone, DruckerPrager};
 pub use elasticity::Elasticity;
 pub use mohr_coulomb::MohrCoulomb;

@@ -28,6 +28,10 @@ pub(super) struct Constituent<T: Real, const D: usize, M: Material<T>> {
     pub(super) gradient_weight: GradientWeight,
     pub(super) strain_control: T,
     pub(super) artificial_stress: Option<ArtificialStress<T>>,
+    /// Whether the pressure of water acts on all of its space, of which the coupling takes the soil's part.
+    pub(super) shares_pressure: bool,
+    /// Density of the water that bears part of each soil particle's weight \[kg/m³\]; empty without water.
+    pub(super) buoyancy: Vec<T>,
     /// Energy per time and force, at the last evaluation.
     pub(super) exchange_rate: Exchange<D>,
     pub(super) fastest_acceleration: T,
@@ -62,6 +66,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             gradient_weight: GradientWeight::default(),
             strain_control: T::ZERO,
             artificial_stress: None,
+            shares_pressure: false,
+            buoyancy: Vec::new(),
             exchange_rate: Exchange::default(),
             fastest_acceleration: T::ZERO,
             scratch: Scratch::default(),
@@ -73,15 +79,36 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if self.phase.is_empty() {
             return Ok(());
         }
+        self.settle(setting)?;
+        self.find_state(setting);
+        self.act_on_itself(setting);
+        self.conclude(setting)
+    }
+
+    /// Checks what came, and who is near whom.
+    pub(super) fn settle<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
         self.check_fields(setting)?;
         self.find_neighbours();
+        Ok(())
+    }
+
+    /// Pressure, and what walls show.
+    pub(super) fn find_state<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         self.find_pressure(); // (16), (20)
         self.extrapolate_walls(setting);
+    }
+
+    /// The forces and rates within the constituent.
+    pub(super) fn act_on_itself<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         self.find_stress(setting); // (62), (14), (15); (65), (66), (33)
         self.sum_own_pairs(setting); // (52), (58); (53), (55)
         self.add_renormalised_diffusion(setting); // (52), second sum, in the form of Antuono et al.
         self.add_strain_control(setting);
         self.add_artificial_stress(setting);
+    }
+
+    /// What comes from outside, and a look at the result.
+    pub(super) fn conclude<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
         self.add_body_forces(setting);
         self.check_rates(setting)
     }
@@ -98,6 +125,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             acoustic: h / self.phase.material().fastest_wave(),
             viscous: or_infinite(nu > T::ZERO, T::of(0.125) * h * h / nu),
             force: or_infinite(a > T::ZERO, T::of(0.25) * (h / a).sqrt()),
+            drag: T::INFINITY,
         }
     }
 

@@ -5,6 +5,7 @@ use super::continuity::{DensityDiffusion, PairDiffusion};
 use super::momentum::Viscosity;
 use super::own_pairs::{OwnPairs, sum};
 use super::setting::Setting;
+use super::shared_pairs::SharedPairs;
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::parallel::{self, CHUNK};
@@ -63,28 +64,54 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
     /// Continuity (52) and the phase's own part of momentum (58).
     pub(super) fn sum_own_pairs<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
-        if self.phase.material().needs_velocity_gradient() {
-            self.sum_own_pairs_with::<true, K>(setting);
-        } else {
-            self.sum_own_pairs_with::<false, K>(setting);
+        match (self.phase.material().needs_velocity_gradient(), self.shares_pressure) {
+            (true, false) => self.sum_own_pairs_with::<true, K>(setting),
+            (false, false) => self.sum_own_pairs_with::<false, K>(setting),
+            (true, true) => self.sum_shared_pairs_with::<true, K>(setting),
+            (false, true) => self.sum_shared_pairs_with::<false, K>(setting),
         }
         self.collect_rates(setting);
+        if self.shares_pressure {
+            self.collect_shared_rates();
+        }
+    }
+
+    /// Whether this is water that shares its space with soil.
+    pub(super) fn shares_space(&self) -> bool {
+        self.phase.evolving_fraction.is_some()
     }
 
     fn sum_own_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
-        let h = setting.kernel.smoothing_length();
+        let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
+        self.pack_own_pairs::<STRESS, K>(&|_, pull| pull);
+        let formula = OwnPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion };
+        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
+    }
+
+    fn sum_shared_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
+        self.pack_own_pairs::<STRESS, K>(&|one, _| one);
+        let formula = SharedPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion };
+        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
+    }
+
+    /// Artificial viscosity and density diffusion of the pairs.
+    fn dissipation<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+    ) -> (Viscosity<T>, PairDiffusion<T, D>) {
         let material = self.phase.material();
         let (c, reference) = (material.sound_speed(), material.reference_density());
-        let formula = OwnPairs::<T, K, D, STRESS> {
-            kernel: setting.kernel.clone(),
-            viscosity: Viscosity::new(self.viscosity, h, c),
-            diffusion: PairDiffusion::new(
-                self.diffusion,
-                reference,
-                material.hydrostatic_slope(),
-                setting.gravity,
-            ),
-        };
+        let slope = material.hydrostatic_slope();
+        (
+            Viscosity::new(self.viscosity, setting.kernel.smoothing_length(), c),
+            PairDiffusion::new(self.diffusion, reference, slope, setting.gravity),
+        )
+    }
+
+    /// Writes the records of [`OwnPairs`]; `weight(1, φ/ρ²)` multiplies the pressure.
+    fn pack_own_pairs<const STRESS: bool, K: Kernel<T, D>>(&mut self, weight: &(impl Fn(T, T) -> T + Sync)) {
+        let reference = self.phase.material().reference_density();
         let partial = matches!(self.diffusion, DensityDiffusion::PartialDensity(_));
         let phase = &self.phase;
         let (o, one) = (T::ZERO, T::ONE);
@@ -101,7 +128,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 record[..D].copy_from_slice(&phase.now.velocity[i].0);
                 record[D] = if phase.is_gliding(i) { -volume } else { volume };
                 record[D + 1] = density;
-                record[D + 2] = phase.pressure[i] * pull;
+                record[D + 2] = phase.pressure[i] * weight(one, pull);
                 record[D + 3] = if partial { density / reference } else { phase.compression(i) };
                 if STRESS {
                     let mut k = D + 4;
@@ -114,7 +141,6 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 }
             },
         );
-        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
     }
 
     /// Factor of `Σ V ψ·∇W/2ρ̃₀` in the rate of the excess: `2 δ h c`.
@@ -153,6 +179,40 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 }
             }
         });
+    }
+
+    /// Turns what differs for water that shares its space into rates.
+    fn collect_shared_rates(&mut self) {
+        for a in 0..self.phase.len() {
+            let compression = self.scratch.sums.get(a, D + sum::COMPRESSION);
+            let pressure: Vector<T, D> = vector_sum(&self.scratch.sums, a, D + sum::COUNT);
+            let density = self.phase.density(a);
+            self.phase.rate.acceleration[a] -= pressure * (T::ONE / density);
+            // The sum so far is per volume: what is to stand there is Dρ/Dt.
+            let reference = self.phase.material().reference_density();
+            self.phase.rate.excess[a] -= compression / reference;
+            self.scratch.sums.set(a, D + sum::COMPRESSION, T::ZERO);
+            self.add_density_rate(a, compression);
+        }
+    }
+
+    /// Adds `ρ̃ rate` to the rate of the partial density of particle `a`, by terms that conserve energy.
+    pub(super) fn add_density_rate(&mut self, a: usize, rate: T) {
+        let (reference, k) = (self.phase.material().reference_density(), D + sum::COMPRESSION);
+        let change = self.phase.true_density(a) * rate;
+        self.phase.rate.excess[a] += change / reference;
+        let so_far = self.scratch.sums.get(a, k);
+        self.scratch.sums.set(a, k, so_far + change);
+    }
+
+    /// Lets the volume fractions change (69) while the partial density keeps its rate.
+    pub(super) fn add_fraction_rate(&mut self, rates: &[T]) {
+        for (excess, rate) in self.phase.rate.excess.iter_mut().zip(rates) {
+            *excess -= *rate;
+        }
+        if let Some(fraction) = &mut self.phase.evolving_fraction {
+            fraction.rate.copy_from_slice(rates);
+        }
     }
 
     /// The body force beside gravity.

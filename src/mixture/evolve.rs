@@ -1,6 +1,7 @@
 //! How a phase moves in time: the loops behind the integrator's verbs.
 
 use super::Phase;
+use super::phase::EvolvingFraction;
 use crate::budget::Works;
 use crate::material::{Material, Memory};
 use crate::parallel::{self, CHUNK};
@@ -14,6 +15,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// returns what the law's return took \[J\].
     pub(crate) fn advance(&mut self, target: Moment, base: Moment, dt: T) -> Works {
         let mut fields = core::mem::take(self.fields_mut(target));
+        let base_moment = base;
         let base = (base != target).then(|| self.fields(base));
         let walls = self.wall_particles();
         parallel::for_each_part(&mut fields.velocity, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
@@ -32,7 +34,21 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             returned = self.advance_memory(&mut fields.memory, base.map(|base| &base.memory[..]), dt);
         }
         *self.fields_mut(target) = fields;
+        self.advance_fraction(target, base_moment, dt);
         returned
+    }
+
+    /// `φ_target ← φ_base + dt · Dφ/Dt` (69), of water that shares its space.
+    fn advance_fraction(&mut self, target: Moment, base: Moment, dt: T) {
+        let Some(EvolvingFraction { half, rate }) = &mut self.evolving_fraction else { return };
+        for ((now, half), &rate) in self.volume_fraction.iter_mut().zip(half).zip(&*rate) {
+            let start = if base == Moment::Now { *now } else { *half };
+            let end = start + rate * dt;
+            match target {
+                Moment::Now => *now = end,
+                Moment::Half => *half = end,
+            }
+        }
     }
 
     /// `memory ← base + dt · rate`, made admissible; returns what that took \[J\].

@@ -114,7 +114,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             return;
         }
         let formula = Extrapolation::<K, D> { kernel: setting.kernel.clone() };
-        let phase = &self.phase;
+        let (phase, buoyancy) = (&self.phase, &self.buoyancy);
         let o = T::ZERO;
         let dummy: &[T] = &[o, o, o, o, o, o][..D + 3];
         self.neighbourhood.pack::<Extrapolation<K, D>>(
@@ -125,7 +125,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 record[..D].copy_from_slice(&phase.now.velocity[i].0);
                 record[D] = phase.volume(i);
                 record[D + 1] = phase.pressure[i];
-                record[D + 2] = phase.true_density(i);
+                record[D + 2] = phase.true_density(i) - buoyancy.get(i).copied().unwrap_or(T::ZERO);
             },
         );
         self.neighbourhood.sum_first(

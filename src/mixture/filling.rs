@@ -1,6 +1,6 @@
 //! How particles get into a phase.
 
-use super::phase::Phase;
+use super::phase::{EvolvingFraction, Phase};
 use super::wall::Wall;
 use crate::error::ParameterError;
 use crate::material::Material;
@@ -117,16 +117,29 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         }
     }
 
+    /// Gives every particle its volume fraction, which from now on evolves (69), at unchanged true density
+    /// and with the mass that belongs to it.
+    pub(super) fn share(&mut self, fractions: &[T]) {
+        for (i, &fraction) in fractions.iter().enumerate() {
+            self.set_one_volume_fraction(i, fraction);
+        }
+        self.evolving_fraction =
+            Some(EvolvingFraction { half: self.volume_fraction.clone(), rate: vec![T::ZERO; self.len()] });
+    }
+
+    fn set_one_volume_fraction(&mut self, i: usize, fraction: T) {
+        let factor = fraction / self.volume_fraction[i];
+        self.volume_fraction[i] = fraction;
+        self.mass[i] *= factor;
+        self.now.excess[i] *= factor;
+        self.half.excess[i] *= factor;
+    }
+
     /// Gives every particle the volume fraction `fraction(x)` \[-\] at unchanged true density, with
     /// the mass that belongs to it.
     pub fn set_volume_fraction(&mut self, fraction: impl Fn(&Vector<T, D>) -> T) {
         for i in 0..self.len() {
-            let (old, new) = (self.volume_fraction[i], fraction(&self.position[i]));
-            let factor = new / old;
-            self.volume_fraction[i] = new;
-            self.mass[i] *= factor;
-            self.now.excess[i] *= factor;
-            self.half.excess[i] *= factor;
+            self.set_one_volume_fraction(i, fraction(&self.position[i]));
         }
     }
 }

@@ -95,7 +95,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                     let density = phase.density(i);
                     let stores = phase.pressure[i] * phase.volume_fraction[i] / (density * density);
                     let compression = self.scratch.sums.get(i, D + sum::COMPRESSION).as_f64();
-                    terms.wall_extrapolation += stores.as_f64() * mass * compression;
+                    // What of the density's rate is only the fraction's compresses nothing.
+                    let shared = (phase.true_density(i) * phase.fraction_rate(i)).as_f64();
+                    terms.wall_extrapolation += stores.as_f64() * mass * (compression - shared);
                 }
             }
             let (mass, a) = (phase.mass[i].as_f64(), phase.rate.acceleration[i]);
@@ -132,6 +134,21 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 diffusion[k] -= stores * diffused;
             }
             falling[k] += mass;
+        }
+        if self.shares_space() {
+            self.add_fraction_change(range, terms);
+        }
+    }
+
+    /// The rate of the excess is that of ρ/ρ̃₀ less that of φ: where φ changes, diffusion is what remains of
+    /// both.
+    fn add_fraction_change(&self, range: Range<usize>, terms: &mut Terms<D>) {
+        let phase = &self.phase;
+        for a in range {
+            let density = phase.density(a);
+            let stores = phase.pressure[a] * phase.volume_fraction[a] / (density * density) * phase.mass[a];
+            let change = phase.fraction_rate(a) * phase.material().reference_density();
+            terms.density_diffusion[a % T::SLICE] -= (stores * change).as_f64();
         }
     }
 

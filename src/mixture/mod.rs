@@ -2,11 +2,13 @@
 //!
 //! [`Mixture::evaluate`](crate::time::Evolve::evaluate) reads as the list of equations.
 
+mod across;
 mod artificial_stress;
 mod checks;
 mod compressed;
 mod constituent;
 mod continuity;
+mod coupling;
 mod evaluation;
 mod evolve;
 mod extrapolation;
@@ -16,11 +18,14 @@ mod momentum;
 mod numerics;
 mod own_pairs;
 mod phase;
+mod pore;
 mod probe;
 mod regularisation;
 mod reinitialisation;
+mod relaxation;
 mod renormalised;
 mod setting;
+mod shared_pairs;
 mod state;
 mod strain_control;
 mod stress;
@@ -32,6 +37,7 @@ mod wall_stress;
 pub use artificial_stress::ArtificialStress;
 pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
+pub use coupling::CouplingForm;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;
@@ -39,15 +45,17 @@ pub use state::MixtureState;
 pub use wall::{Slip, Wall, WallKind};
 
 use crate::budget::{Account, Exchange};
-use crate::error::ParameterError;
 use crate::kernel::{Kernel, WendlandC2};
 use crate::material::{Absent, Material, Water};
+use crate::neighbours::CellList;
 use crate::real::Real;
 use crate::space::Vector;
 use crate::summation::Neighbourhood;
 use crate::time::{Evolve, Limits, Moment};
 use constituent::{Constituent, Role};
 use core::fmt;
+use coupling::Coupling;
+use relaxation::Relaxation;
 use setting::Setting;
 
 /// Weight of a neighbour in the velocity gradient (62), (65).
@@ -84,7 +92,11 @@ pub struct Mixture<
     setting: Setting<T, D, K>,
     soil: Constituent<T, D, S>,
     water: Constituent<T, D, F>,
+    coupling: Coupling<T, D>,
+    relaxation: Option<Relaxation<T>>,
     exchanged: [Exchange<D>; 2],
+    /// Whether the water's volume fractions are those of its place.
+    started: bool,
 }
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> fmt::Debug
@@ -116,26 +128,38 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>> Mixture<T, D, K, 
 }
 
 impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
-    /// Soil and water, of which one has no particles.
-    ///
-    /// # Errors
-    /// Both have particles: the coupling of the two is to come.
-    pub fn new(kernel: K, soil: Phase<T, D, S>, water: Phase<T, D, F>) -> Result<Self, ParameterError> {
-        if !soil.is_empty() && !water.is_empty() {
-            let allowed = "none where there is soil: the coupling of the two is to come";
-            return Err(ParameterError::new("water particles", water.len(), allowed));
-        }
-        Ok(Self::put_together(kernel, soil, water))
+    /// Soil and water, of which one may have no particles. Where both have, they share their space: the
+    /// water's volume fraction becomes what the soil leaves of it (68), at unchanged true density.
+    pub fn new(kernel: K, soil: Phase<T, D, S>, water: Phase<T, D, F>) -> Self {
+        Self::put_together(kernel, soil, water)
     }
 
     fn put_together(kernel: K, soil: Phase<T, D, S>, water: Phase<T, D, F>) -> Self {
         let support = kernel.support();
         Self {
             setting: Setting::new(kernel),
+            coupling: Coupling::new(Neighbourhood::new(Box::new(CellList::default()), support)),
             soil: Constituent::new(Role::Soil, soil, support),
             water: Constituent::new(Role::Water, water, support),
+            relaxation: None,
             exchanged: [Exchange::default(); 2],
+            started: false,
         }
+    }
+
+    /// Whether soil and water share space.
+    fn is_shared(&self) -> bool {
+        !self.soil.phase.is_empty() && !self.water.phase.is_empty()
+    }
+
+    /// Leaves to the water what the soil leaves of its space (68), before the first evaluation.
+    fn share_space(&mut self) {
+        if !self.started && self.is_shared() {
+            self.coupling.look(&self.setting, &mut self.soil, &self.water);
+            self.water.phase.share(&self.coupling.pores.fraction);
+        }
+        self.started = true;
+        self.water.shares_pressure = self.coupling.form == CouplingForm::PressureDifference;
     }
 
     /// The soil.
@@ -186,7 +210,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     /// Limits of the time step \[s\], from the last evaluation.
     pub fn limits(&self) -> Limits<T> {
         let h = self.setting.kernel.smoothing_length();
-        self.soil.limits(h).shorter(self.water.limits(h))
+        let own = self.soil.limits(h).shorter(self.water.limits(h));
+        if self.is_shared() { Limits { drag: self.coupling.drag_limit(), ..own } } else { own }
     }
 
     /// Energy taken by each account per time \[W\] and force on the particles \[N\] at the last evaluation.
@@ -196,7 +221,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
 
     /// Bytes held in particle arrays, lists and buffers.
     pub fn bytes(&self) -> usize {
-        self.soil.bytes() + self.water.bytes()
+        self.soil.bytes() + self.water.bytes() + self.coupling.bytes()
     }
 
     /// Replaces stresses of the soil by their Shepard mean; the energy is booked.
@@ -223,8 +248,25 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
     type Error = StepError;
 
     fn evaluate(&mut self) -> Result<(), StepError> {
-        self.soil.evaluate(&self.setting)?;
-        self.water.evaluate(&self.setting)
+        if !self.is_shared() {
+            self.soil.evaluate(&self.setting)?;
+            return self.water.evaluate(&self.setting);
+        }
+        self.soil.settle(&self.setting)?;
+        self.water.settle(&self.setting)?;
+        self.share_space(); // (68)
+        let setting = &self.setting;
+        self.water.find_state(setting); // (16), (20)
+        self.coupling.look(setting, &mut self.soil, &self.water); // (67)–(69)
+        self.soil.find_state(setting);
+        self.soil.act_on_itself(setting); // (53), (55), own part
+        self.water.act_on_itself(setting); // (52), (58), own part
+        self.coupling.exchange(setting, &mut self.soil, &mut self.water); // (55), (58), (69)
+        if let Some(relaxation) = self.relaxation.as_ref().filter(|_| self.water.shares_pressure) {
+            self.water.relax_density(setting, relaxation);
+        }
+        self.soil.conclude(setting)?;
+        self.water.conclude(setting)
     }
 
     fn advance(&mut self, target: Moment, base: Moment, dt: T) {

@@ -1,11 +1,12 @@
 //! The numerical choices of a mixture, and what acts on it from outside.
 
+use super::relaxation::{LatticeExcess, Relaxation};
 use super::setting::BodyForce;
-use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture};
+use super::{ArtificialStress, ArtificialViscosity, CouplingForm, DensityDiffusion, GradientWeight, Mixture};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::lanes::InstructionSet;
-use crate::material::Material;
+use crate::material::{DragLaw, Material};
 use crate::neighbours::{NeighbourSearch, Periodic};
 use crate::real::Real;
 use crate::space::Vector;
@@ -39,6 +40,32 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     ) -> Self {
         self.setting.force =
             Some(BodyForce { acceleration: Arc::new(acceleration), potential: Some(Arc::new(potential)) });
+        self
+    }
+
+    /// How pore pressure acts between soil and water; to be chosen before the first evaluation.
+    pub fn with_coupling(mut self, form: CouplingForm) -> Self {
+        self.coupling.form = form;
+        self
+    }
+
+    /// Relaxation of the density of water that shares its space to the volume its particles take, in the
+    /// time τ \[s\]; none by default, 400 h/c is usual. Acts where pressure acts by differences.
+    ///
+    /// # Errors
+    /// The time is not positive.
+    pub fn with_density_relaxation(mut self, time: T) -> Result<Self, ParameterError> {
+        if !(time > T::ZERO) {
+            return Err(ParameterError::new("density_relaxation", time, "a positive time [s]"));
+        }
+        let lattice = LatticeExcess::of::<T, D, K>(&self.setting.kernel);
+        self.relaxation = Some(Relaxation { time, lattice });
+        Ok(self)
+    }
+
+    /// Drag between soil and water (37); none by default.
+    pub fn with_drag(mut self, law: impl DragLaw<T> + 'static) -> Self {
+        self.coupling.drag = Arc::new(law);
         self
     }
 
@@ -151,6 +178,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     fn with_neighbourhoods(mut self, change: impl Fn(Neighbourhood<T, D>) -> Neighbourhood<T, D>) -> Self {
         self.soil.neighbourhood = change(self.soil.neighbourhood);
         self.water.neighbourhood = change(self.water.neighbourhood);
+        self.coupling.across.neighbourhood = change(self.coupling.across.neighbourhood);
         self
     }
 }

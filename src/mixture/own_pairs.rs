@@ -17,20 +17,20 @@ pub(crate) struct OwnPairs<T, K, const D: usize, const STRESS: bool> {
 /// What a record says: x, v, then these, then τφ/ρ² if there is stress.
 #[derive(Clone, Copy)]
 pub(crate) struct Own<N: Copy, const D: usize> {
-    x: Vector<N, D>,
-    v: Vector<N, D>,
+    pub(super) x: Vector<N, D>,
+    pub(super) v: Vector<N, D>,
     /// m/ρ \[m³\].
-    volume: N,
+    pub(super) volume: N,
     /// The same, but negative for a wall that artificial viscosity does not see.
-    grip: N,
+    pub(super) grip: N,
     /// Partial density ρ.
-    density: N,
+    pub(super) density: N,
     /// pφ/ρ².
-    pressure: N,
+    pub(super) pressure: N,
     /// What diffuses: true compression, or partial density over its reference.
-    diffusing: N,
+    pub(super) diffusing: N,
     /// τφ/ρ², rows of the particle space.
-    stress: [Vector<N, D>; D],
+    pub(super) stress: [Vector<N, D>; D],
 }
 
 /// Sums after the acceleration (numbers `0..D`).

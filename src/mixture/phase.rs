@@ -42,6 +42,15 @@ pub(crate) struct Rates<T: Real, const D: usize, M> {
     pub(crate) memory: Vec<M>,
 }
 
+/// What a volume fraction that evolves (69) needs beside its value now.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct EvolvingFraction<T> {
+    pub(crate) half: Vec<T>,
+    /// Dφ/Dt \[1/s\].
+    pub(crate) rate: Vec<T>,
+}
+
 impl<T: Real, const D: usize, M> Fields<T, D, M> {
     /// Particles in every array; the smallest number where they differ.
     pub(crate) fn len(&self) -> usize {
@@ -76,6 +85,8 @@ pub struct Phase<T: Real, const D: usize, M: Material<T>> {
     pub(crate) now: Fields<T, D, M::Memory>,
     pub(crate) half: Fields<T, D, M::Memory>,
     pub(crate) rate: Rates<T, D, M::Memory>,
+    /// Of water that shares its space with soil.
+    pub(crate) evolving_fraction: Option<EvolvingFraction<T>>,
     pub(crate) pressure: Vec<T>,
     /// τ \[Pa\]; empty while the law has none.
     pub(crate) deviator: Vec<SymTensor<T>>,
@@ -99,6 +110,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             now: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
             half: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
             rate: Rates { acceleration: Vec::new(), excess: Vec::new(), memory: Vec::new() },
+            evolving_fraction: None,
             pressure: Vec::new(),
             deviator: Vec::new(),
             wall_acceleration: Vec::new(),
@@ -214,7 +226,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// Rate of the partial density dρ/dt \[kg/m³/s\] of particle `i` at the last evaluation; what
     /// an extrapolated wall does not follow.
     pub fn density_rate(&self, i: usize) -> T {
-        self.material.reference_density() * self.rate.excess[i]
+        self.material.reference_density() * (self.rate.excess[i] + self.fraction_rate(i))
     }
 
     /// Deviatoric stress τ \[Pa\] of particle `i` at the last evaluation, positive in tension.
@@ -236,6 +248,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// made admissible.
     pub fn memory_rate(&self, i: usize) -> &M::Memory {
         &self.rate.memory[i]
+    }
+
+    /// Dφ/Dt \[1/s\] of particle `i` at the last evaluation: zero unless it shares its space (69).
+    #[inline(always)]
+    pub fn fraction_rate(&self, i: usize) -> T {
+        self.evolving_fraction.as_ref().map_or(T::ZERO, |fraction| fraction.rate[i])
     }
 
     /// Compression ρ̃/ρ̃₀ − 1 \[-\] of particle `i`.
@@ -299,6 +317,10 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         permute(&mut self.position, order);
         permute(&mut self.mass, order);
         permute(&mut self.volume_fraction, order);
+        if let Some(fraction) = &mut self.evolving_fraction {
+            permute(&mut fraction.half, order);
+            permute(&mut fraction.rate, order);
+        }
         permute(&mut self.pressure, order);
         permute(&mut self.rate.acceleration, order);
         permute(&mut self.rate.excess, order);

@@ -2,7 +2,7 @@
 
 use super::Mixture;
 use super::constituent::Constituent;
-use super::phase::{Fields, Phase, Rates};
+use super::phase::{EvolvingFraction, Fields, Phase, Rates};
 use crate::budget::Exchange;
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
@@ -26,6 +26,7 @@ pub(crate) struct PhaseState<T: Real, const D: usize, M> {
     position: Vec<Vector<T, D>>,
     mass: Vec<T>,
     volume_fraction: Vec<T>,
+    evolving_fraction: Option<EvolvingFraction<T>>,
     pressure: Vec<T>,
     now: Fields<T, D, M>,
     half: Fields<T, D, M>,
@@ -67,6 +68,7 @@ pub struct MixtureState<T: Real, const D: usize, S, F> {
     soil: ConstituentState<T, D, S>,
     water: ConstituentState<T, D, F>,
     exchanged: [Exchange<D>; 2],
+    started: bool,
 }
 
 impl<T: Real, const D: usize, S, F> MixtureState<T, D, S, F> {
@@ -84,6 +86,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             position: self.position.clone(),
             mass: self.mass.clone(),
             volume_fraction: self.volume_fraction.clone(),
+            evolving_fraction: self.evolving_fraction.clone(),
             pressure: self.pressure.clone(),
             now: self.now.clone(),
             half: self.half.clone(),
@@ -101,6 +104,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             state.position.len(),
             state.mass.len(),
             state.volume_fraction.len(),
+            state.evolving_fraction.as_ref().map_or(count, |fraction| fraction.half.len()),
+            state.evolving_fraction.as_ref().map_or(count, |fraction| fraction.rate.len()),
             state.pressure.len(),
             state.now.len(),
             state.half.len(),
@@ -129,6 +134,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.position = state.position;
         self.mass = state.mass;
         self.volume_fraction = state.volume_fraction;
+        self.evolving_fraction = state.evolving_fraction;
         self.pressure = state.pressure;
         self.now = state.now;
         self.half = state.half;
@@ -177,6 +183,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             soil: self.soil.state(),
             water: self.water.state(),
             exchanged: self.exchanged,
+            started: self.started,
         }
     }
 
@@ -191,6 +198,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.water.restore(state.water);
         self.setting.time = state.time;
         self.exchanged = state.exchanged;
+        self.started = state.started;
         Ok(())
     }
 }

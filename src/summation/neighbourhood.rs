@@ -8,6 +8,7 @@ use crate::neighbours::{Ghost, Grid, NeighbourSearch, Periodic, SlicedList, sort
 use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
+use core::ops::Range;
 
 /// The neighbours of a cloud of particles within the support κh of a kernel.
 ///
@@ -99,6 +100,23 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
 
     /// Lists all neighbours anew. Rows of walls (the first `walls` positions) name no walls.
     pub fn rebuild(&mut self, positions: &[Vector<T, D>], walls: usize) {
+        self.rebuild_for(positions, walls, |_, everything| vec![everything]);
+    }
+
+    /// Lists neighbours across two clouds only: the first `first` positions list the others, and the
+    /// others list the first.
+    pub(crate) fn rebuild_across(&mut self, positions: &[Vector<T, D>], first: usize) {
+        self.rebuild_for(positions, first, |firsts, _| firsts);
+    }
+
+    /// Lists neighbours anew; the first `walls` positions list the others, the others what `seen` makes of
+    /// (all of the first, everything), ghosts included.
+    fn rebuild_for(
+        &mut self,
+        positions: &[Vector<T, D>],
+        walls: usize,
+        seen: impl Fn(Vec<Range<u32>>, Range<u32>) -> Vec<Range<u32>>,
+    ) {
         let count = positions.len();
         let walls = walls.min(count);
         (self.points, self.ghosts) = self.with_images(positions);
@@ -112,7 +130,8 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self.search.rebuild(&self.points, reach);
         let all = self.points.len() as u32;
         let others = vec![walls as u32..count as u32, (count + wall_ghosts) as u32..all];
-        let allowed = [others, std::iter::once(0..all).collect()];
+        let firsts = vec![0..walls as u32, count as u32..(count + wall_ghosts) as u32];
+        let allowed = [others, seen(firsts, 0..all)];
         self.list.build(&*self.search, &self.points, count, reach, walls, &allowed, self.set);
     }
 

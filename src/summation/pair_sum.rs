@@ -78,6 +78,10 @@ impl<T: Real> Sums<T> {
     pub(crate) fn get(&self, i: usize, k: usize) -> T {
         self.data[(i / T::SLICE * self.count + k) * T::SLICE + i % T::SLICE]
     }
+    /// Replaces sum number `k` of particle `i`.
+    pub(crate) fn set(&mut self, i: usize, k: usize, value: T) {
+        self.data[(i / T::SLICE * self.count + k) * T::SLICE + i % T::SLICE] = value;
+    }
     /// Sum number `k` of the particles of slice `s`.
     #[inline(always)]
     pub(crate) fn lanes(&self, s: usize, k: usize) -> &[T] {

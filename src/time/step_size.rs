@@ -14,6 +14,8 @@ pub enum Limit {
     Viscous,
     /// Acceleration: `¼ √(h/a)`.
     Force,
+    /// Explicit drag between soil and water.
+    Drag,
     /// The step was given.
     Fixed,
     /// The end of the run, or of an output interval.
@@ -27,6 +29,7 @@ impl Limit {
             Self::Acoustic => "acoustic",
             Self::Viscous => "viscous",
             Self::Force => "force",
+            Self::Drag => "drag",
             Self::Fixed => "fixed",
             Self::End => "end",
         }
@@ -48,12 +51,14 @@ pub struct Limits<T> {
     pub viscous: T,
     /// `¼ √(h/a)` with the largest acceleration; infinite at rest.
     pub force: T,
+    /// Half the step at which explicit drag between soil and water turns unstable; infinite without drag.
+    pub drag: T,
 }
 
 impl<T: Real> Limits<T> {
     /// No limit.
     pub fn none() -> Self {
-        Self { acoustic: T::INFINITY, viscous: T::INFINITY, force: T::INFINITY }
+        Self { acoustic: T::INFINITY, viscous: T::INFINITY, force: T::INFINITY, drag: T::INFINITY }
     }
     /// The shorter of each pair.
     pub fn shorter(self, other: Self) -> Self {
@@ -61,12 +66,14 @@ impl<T: Real> Limits<T> {
             acoustic: self.acoustic.min(other.acoustic),
             viscous: self.viscous.min(other.viscous),
             force: self.force.min(other.force),
+            drag: self.drag.min(other.drag),
         }
     }
     /// The shortest with its name; `courant` scales the acoustic one (73).
     pub fn binding(&self, courant: T) -> (T, Limit) {
         let mut best = (courant * self.acoustic, Limit::Acoustic);
-        for (limit, name) in [(self.viscous, Limit::Viscous), (self.force, Limit::Force)] {
+        let others = [(self.viscous, Limit::Viscous), (self.force, Limit::Force), (self.drag, Limit::Drag)];
+        for (limit, name) in others {
             if limit < best.0 {
                 best = (limit, name);
             }

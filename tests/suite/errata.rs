@@ -189,3 +189,23 @@ fn a_gliding_wall_is_smooth() {
     assert!(smooth.abs() < 1e-3, "a gliding flow lost {smooth} of its energy");
     assert!(rough > 10.0 * smooth.abs(), "a dynamic wall takes {rough}");
 }
+
+/// A14: the δ-term (53) on soil moves mass across a jump of the fraction.
+#[test]
+fn the_density_of_soil_is_not_diffused_unless_asked_for() {
+    use alluvium::material::{Elasticity, Soil, Unyielding};
+    let fastest = |coefficient| {
+        let elasticity = Elasticity::new(1e6, 0.3).unwrap();
+        let mut soil = Phase::new(Soil::new(2650.0, elasticity, Unyielding).unwrap());
+        soil.add(&setup::fill([0.0; 2], [1.0; 2], SPACING), SPACING * SPACING, |_| 0.0).unwrap();
+        soil.set_volume_fraction(|x| if x[0] < 0.5 { 0.4 } else { 0.6 });
+        let mut mixture = Mixture::of_soil(WendlandC2::new(1.3 * SPACING).unwrap(), soil)
+            .with_periodic(Periodic::new(Vector::zero(), [Some(1.0); 2]).unwrap())
+            .with_soil_density_diffusion(coefficient)
+            .unwrap();
+        mixture.evaluate().unwrap();
+        (0..mixture.soil().len()).map(|i| mixture.soil().density_rate(i).abs()).fold(0.0, f64::max)
+    };
+    assert_eq!(fastest(0.0), 0.0);
+    assert!(fastest(0.1) > 100.0, "{} kg/m³/s", fastest(0.1));
+}

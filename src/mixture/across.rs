@@ -1,0 +1,78 @@
+//! Who of one constituent is near whom of the other, and the sums between them.
+
+use super::Phase;
+use crate::material::Material;
+use crate::real::Real;
+use crate::space::Vector;
+use crate::summation::{Aligned, Neighbourhood, PairFormula, Sums};
+
+/// The particles of soil and water in one cloud, soil first; each lists those of the other constituent.
+pub(super) struct Across<T: Real, const D: usize> {
+    pub(super) neighbourhood: Neighbourhood<T, D>,
+    positions: Vec<Vector<T, D>>,
+    soil: usize,
+    /// How often each constituent had been re-sorted when the lists were made.
+    sorted: [u64; 2],
+    records: Aligned<T>,
+}
+
+impl<T: Real, const D: usize> Across<T, D> {
+    pub(super) fn new(neighbourhood: Neighbourhood<T, D>) -> Self {
+        Self { neighbourhood, positions: Vec::new(), soil: 0, sorted: [0; 2], records: Aligned::default() }
+    }
+
+    /// Brings the lists up to date. `sorted` tells how often each constituent has been re-sorted.
+    pub(super) fn find_neighbours(
+        &mut self,
+        soil: &[Vector<T, D>],
+        water: &[Vector<T, D>],
+        sorted: [u64; 2],
+    ) {
+        self.positions.clear();
+        self.positions.extend_from_slice(soil);
+        self.positions.extend_from_slice(water);
+        self.soil = soil.len();
+        if self.sorted != sorted || self.neighbourhood.is_stale(&self.positions) {
+            self.neighbourhood.rebuild_across(&self.positions, self.soil);
+            self.sorted = sorted;
+        }
+    }
+
+    /// Sums a formula over both constituents; `of_soil(i, rest)` and `of_water(a, rest)` write what
+    /// stands behind a particle's place.
+    pub(super) fn sum<F: PairFormula<T>>(
+        &mut self,
+        formula: &F,
+        dummy: &[T],
+        of_soil: &(impl Fn(usize, &mut [T]) + Sync),
+        of_water: &(impl Fn(usize, &mut [T]) + Sync),
+        sums: &mut Sums<T>,
+    ) {
+        let soil = self.soil;
+        let write = |i: usize, record: &mut [T]| match i.checked_sub(soil) {
+            None => of_soil(i, record),
+            Some(a) => of_water(a, record),
+        };
+        self.neighbourhood.pack::<F>(&self.positions, &mut self.records, dummy, &write);
+        self.neighbourhood.sum(formula, &self.records, sums);
+    }
+
+    /// Where the sums of water particle `a` stand.
+    #[inline(always)]
+    pub(super) fn water(&self, a: usize) -> usize {
+        self.soil + a
+    }
+
+    /// Bytes held.
+    pub(super) fn bytes(&self) -> usize {
+        self.neighbourhood.bytes()
+            + self.records.bytes()
+            + self.positions.capacity() * size_of::<Vector<T, D>>()
+    }
+}
+
+/// Space the grains of particle `i` fill, `w = V φ = m/ρ̃₀` \[m³\].
+#[inline(always)]
+pub(super) fn grain_volume<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>, i: usize) -> T {
+    phase.mass[i] / phase.material().reference_density()
+}
