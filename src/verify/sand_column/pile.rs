@@ -69,7 +69,8 @@ pub struct Grain {
 /// a lattice has half a spacing above its upper row, within a hundredth of a spacing at any resolution. The
 /// highest particle, the other choice, is a spacing wrong where one grain lies on a slope, and takes grains
 /// that lie about alone for a surface. The kernel is Wendland's C2 with 1.3 spacings whatever the run's, so
-/// that runs compare, and no particle fills more than the mean volume.
+/// that runs compare. Grains with fewer than three others in its reach are loose, and not of the heap: their
+/// density may say that each alone fills the half.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pile {
     section: Section,
@@ -120,13 +121,11 @@ impl Pile {
         let spacing = if grains.is_empty() { 1.0 } else { spacing };
         let kernel = WendlandC2::new(SMOOTHING * spacing).expect("a positive spacing");
         let mut pile = Self { section, spacing, grains, kernel, columns: HashMap::new() };
-        let mean = pile.volume() / pile.grains.len().max(1) as f64;
-        for grain in &pile.grains {
+        let loose = loose(&pile.grains, kernel.support());
+        for (grain, _) in pile.grains.iter().zip(loose).filter(|(_, loose)| !loose) {
             let [x, y] = grain.place;
-            // The density of grains that have flown apart says that they fill more than they do.
-            let volume = grain.volume.min(mean);
             // On the axis itself a section has no depth.
-            let area = volume / section.depth(x.abs().max(0.25 * spacing));
+            let area = grain.volume / section.depth(x.abs().max(0.25 * spacing));
             for image in [[x, y], [-x, y], [x, -y], [-x, -y]] {
                 let column = column(image[0], kernel.support());
                 pile.columns.entry(column).or_default().push((image, area));
@@ -221,6 +220,27 @@ impl Pile {
     pub fn grain(&self, id: u32) -> Option<&Grain> {
         self.grains.binary_search_by_key(&id, |grain| grain.id).ok().map(|at| &self.grains[at])
     }
+}
+
+/// Others in reach that make a grain one of the heap.
+const COMPANY: usize = 3;
+
+/// Which grains lie about alone.
+fn loose(grains: &[Grain], reach: f64) -> Vec<bool> {
+    let cell = |place: [f64; 2]| place.map(|x| column(x, reach));
+    let mut cells: HashMap<[i64; 2], Vec<[f64; 2]>> = HashMap::new();
+    for grain in grains {
+        cells.entry(cell(grain.place)).or_default().push(grain.place);
+    }
+    let is_loose = |grain: &Grain| {
+        let [i, j] = cell(grain.place);
+        let around = (i - 1..=i + 1).flat_map(|i| (j - 1..=j + 1).map(move |j| [i, j]));
+        let places = around.filter_map(|at| cells.get(&at)).flatten();
+        let near = |at: &&[f64; 2]| (at[0] - grain.place[0]).hypot(at[1] - grain.place[1]) < reach;
+        // One more than the others: it finds itself.
+        places.filter(near).take(COMPANY + 1).count() <= COMPANY
+    };
+    grains.iter().map(is_loose).collect()
 }
 
 /// Which of the numbers a law's memory shows is the equivalent plastic strain.

@@ -95,6 +95,13 @@ fn a_lone_grain_is_not_of_the_heap<T: Real>() {
     assert!((pile.front() - WIDTH).abs() < SPACING, "{}", pile.front());
     assert!((pile.farthest() - 0.5 - 0.5 * SPACING).abs() < 1e-6, "{}", pile.farthest());
     assert!((pile.surface(0.1) - HEIGHT).abs() < 0.01 * SPACING, "{}", pile.surface(0.1));
+    // Nor if their densities say that they have grown.
+    let grown = pile.grains().iter().map(|grain| {
+        let is_alone = grain.place[0] > 0.4 || grain.place[1] > 0.2;
+        Grain { volume: if is_alone { 3.0 * grain.volume } else { grain.volume }, ..*grain }
+    });
+    let pile = Pile::new(Section::FLAT, SPACING, grown.collect());
+    assert!((pile.front() - WIDTH).abs() < SPACING && pile.surface(0.1) < HEIGHT + SPACING);
 }
 
 #[test]
