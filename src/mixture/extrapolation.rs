@@ -164,7 +164,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             pressure = pressure.max(T::ZERO);
         }
         let holds = if M::RIGID_GRAINS {
-            self.set_wall_stress(i, pressure, slip, lever * (T::ONE / lever.norm().max(tiny())))
+            let normal = lever * (T::ONE / lever.norm().max(tiny()));
+            self.set_wall_stress(i, pressure, slip, normal, slip_velocity)
         } else {
             let excess = self.phase.material().compression(pressure) * self.phase.volume_fraction[i];
             self.phase.pressure[i] = pressure;

@@ -55,7 +55,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     /// # Errors
     /// The time is not positive.
     pub fn with_density_relaxation(mut self, time: T) -> Result<Self, ParameterError> {
-        if !(time > T::ZERO) {
+        if !(time > T::ZERO && time.is_finite()) {
             return Err(ParameterError::new("density_relaxation", time, "a positive time [s]"));
         }
         let lattice = LatticeExcess::of::<T, D, K>(&self.setting.kernel);

@@ -7,15 +7,20 @@ use crate::material::Material;
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor, Vector};
 
+/// Slower than this part of what friction stops at once, μσ_n/(ρ̃₀ c), soil counts as held. Held soil that
+/// moves loads its own stress with the step: faster, it would be stopped and let go in turns.
+const HELD: f64 = 0.25;
+
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Gives wall particle `i` the stress beside it, at this pressure; returns whether the wall holds what
-    /// moves along it. `normal` points into the wall.
+    /// moves along it with `slip_velocity`. `normal` points into the wall.
     pub(super) fn set_wall_stress(
         &mut self,
         i: usize,
         pressure: T,
         slip: Slip,
         normal: Vector<T, D>,
+        slip_velocity: Vector<T, D>,
     ) -> bool {
         let material = self.phase.material();
         let stress = self.stress_beside_wall(i) - SymTensor::isotropic(pressure);
@@ -23,34 +28,41 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         let (memory, _) = material.admit(material.with_stress(M::Memory::default(), &stress));
         let (pressure, deviator) =
             (material.pressure(T::ZERO, &memory), material.deviator(&Tensor::zero(), &memory));
-        let stress = deviator - SymTensor::isotropic(pressure);
         let friction = match slip {
-            Slip::NoSlip => T::INFINITY,
-            Slip::FreeSlip => T::ZERO,
-            Slip::Friction(coefficient) => T::of(coefficient),
+            Slip::NoSlip => None,
+            Slip::FreeSlip => Some(T::ZERO),
+            Slip::Friction(coefficient) => Some(T::of(coefficient)),
         };
-        let too_much = shear_beyond_friction(&stress, normal, friction);
+        let impedance = material.reference_density() * material.fastest_wave();
         self.phase.pressure[i] = pressure;
-        self.phase.deviator[i] = deviator - symmetric_product(too_much, normal);
-        slip == Slip::NoSlip || friction > T::ZERO && too_much.norm2() <= T::ZERO
+        self.phase.deviator[i] = deviator;
+        let Some(friction) = friction else { return true };
+        let traction = (deviator - SymTensor::isotropic(pressure)).dot(normal);
+        let shear = traction - normal * traction.dot(normal);
+        let along = slip_velocity - normal * slip_velocity.dot(normal);
+        let bearable = friction * (-traction.dot(normal)).max(T::ZERO);
+        let (borne, holds) = coulomb(shear, along, bearable, T::of(HELD) * bearable / impedance);
+        self.phase.deviator[i] = deviator - symmetric_product(shear - borne, normal);
+        holds
     }
 }
 
-/// The part of the shear traction on the plane with this normal that exceeds `friction` times the normal
-/// pressure \[Pa\] (Coulomb).
-fn shear_beyond_friction<T: Real, const D: usize>(
-    stress: &SymTensor<T>,
-    normal: Vector<T, D>,
-    friction: T,
-) -> Vector<T, D> {
-    if friction == T::INFINITY {
-        return Vector::zero();
+/// Shear traction \[Pa\] on soil that slides `along` a wall \[m/s\] which bears at most `bearable` (Coulomb),
+/// and whether the wall holds the soil: while it is slower than `held` and needs no more than that.
+fn coulomb<T: Real, const D: usize>(
+    shear: Vector<T, D>,
+    along: Vector<T, D>,
+    bearable: T,
+    held: T,
+) -> (Vector<T, D>, bool) {
+    let (speed, size) = (along.norm(), shear.norm());
+    if speed > held {
+        (along * (-bearable / speed), false)
+    } else if size > bearable {
+        (shear * (bearable / size), false)
+    } else {
+        (shear, bearable > T::ZERO)
     }
-    let traction = stress.dot(normal);
-    let along_normal = traction.dot(normal);
-    let shear = traction - normal * along_normal;
-    let (size, bearable) = (shear.norm(), friction * (-along_normal).max(T::ZERO));
-    if size > bearable { shear * (T::ONE - bearable / size) } else { Vector::zero() }
 }
 
 /// `a⊗n + n⊗a`: of `a` across `n`, the stress whose traction on the plane of `n` is `a`.
