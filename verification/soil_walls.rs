@@ -6,13 +6,12 @@ use alluvium::material::{Soil, Unyielding};
 use alluvium::mixture::{ArtificialViscosity, Mixture, Phase, Slip, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{LeapFrog, StepSize};
-use alluvium::verify::{Conditions, Expected, Measured, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 use alluvium::{Real, SymTensor, Vector, setup};
 use std::ops::ControlFlow;
 
 const SOURCE: &str =
     "a rigid block on a slope of angle β: g (sin β − μ cos β), or rest where μ > tan β (Coulomb)";
-const SMOOTHER: &str = "two thirds of the friction";
 const GLIDING: &str = "no friction";
 const GRAVITY: f64 = 9.81;
 const FRICTION: f64 = 0.4;
@@ -29,6 +28,7 @@ pub fn studies() -> Vec<Study> {
 }
 
 fn sliding<T: Real>(name: &str) -> Study {
+    // Known to fail: decision 12. Mistakes are listed once it stands.
     let claim = "an elastic block slides down a frictional slope of 35° as a rigid one does (value: its mean \
                  acceleration over the exact one)";
     Study::new(name, claim, |conditions| {
@@ -39,9 +39,8 @@ fn sliding<T: Real>(name: &str) -> Study {
         Measured::value((speeds[1] - speeds[0]) / (late - early) / exact)
     })
     .source(SOURCE)
+    .level(Level::Full)
     .expect(Expected::Value { value: 1.0, tolerance: 0.02 })
-    .mutant(SMOOTHER)
-    .mutant(GLIDING)
 }
 
 fn resting<T: Real>(name: &str) -> Study {
@@ -72,11 +71,7 @@ fn speeds<T: Real>(angle: f64, times: &[f64], conditions: &Conditions) -> Vec<f6
 
 /// A block on a floor; gravity is tilted instead.
 fn block<T: Real>(angle: f64, conditions: &Conditions) -> SoilMixture<T, 2, Soil<T, Unyielding>> {
-    let friction = match (conditions.is(SMOOTHER), conditions.is(GLIDING)) {
-        (true, _) => FRICTION / 1.5,
-        (_, true) => 0.0,
-        _ => FRICTION,
-    };
+    let friction = if conditions.is(GLIDING) { 0.0 } else { FRICTION };
     let volume = T::of(SPACING * SPACING);
     let mut phase = Phase::new(elastic::<T>());
     let floor = setup::tank([-0.1, 0.0], [0.8, 0.2], SPACING, 3, [(false, false), (true, false)]);

@@ -101,6 +101,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Exchange<K, D>
 
 /// The fastest drag on any particle of the two: `max Σ_j K_ij/m_i` \[1/s\], by constituent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct DragRate<T> {
     pub(super) soil: T,
     pub(super) water: T,

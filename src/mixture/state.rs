@@ -2,6 +2,7 @@
 
 use super::Mixture;
 use super::constituent::Constituent;
+use super::coupling::DragRate;
 use super::phase::{EvolvingFraction, Fields, Phase, Rates};
 use crate::budget::Exchange;
 use crate::error::ParameterError;
@@ -68,6 +69,7 @@ pub struct MixtureState<T: Real, const D: usize, S, F> {
     soil: ConstituentState<T, D, S>,
     water: ConstituentState<T, D, F>,
     exchanged: [Exchange<D>; 2],
+    drag_rate: DragRate<T>,
     started: bool,
 }
 
@@ -183,6 +185,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             soil: self.soil.state(),
             water: self.water.state(),
             exchanged: self.exchanged,
+            drag_rate: self.coupling.drag_rate,
             started: self.started,
         }
     }
@@ -198,6 +201,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.water.restore(state.water);
         self.setting.time = state.time;
         self.exchanged = state.exchanged;
+        self.coupling.drag_rate = state.drag_rate;
         self.started = state.started;
         Ok(())
     }
