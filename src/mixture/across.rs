@@ -10,6 +10,9 @@ use crate::summation::{Aligned, Neighbourhood, PairFormula, Sums};
 pub(super) struct Across<T: Real, const D: usize> {
     pub(super) neighbourhood: Neighbourhood<T, D>,
     positions: Vec<Vector<T, D>>,
+    /// What takes each particle into the periodic box it was listed in: the constituents are taken there
+    /// at other moments.
+    shifts: Vec<Vector<T, D>>,
     soil: usize,
     /// How often each constituent had been re-sorted when the lists were made.
     sorted: [u64; 2],
@@ -18,7 +21,14 @@ pub(super) struct Across<T: Real, const D: usize> {
 
 impl<T: Real, const D: usize> Across<T, D> {
     pub(super) fn new(neighbourhood: Neighbourhood<T, D>) -> Self {
-        Self { neighbourhood, positions: Vec::new(), soil: 0, sorted: [0; 2], records: Aligned::default() }
+        Self {
+            neighbourhood,
+            positions: Vec::new(),
+            shifts: Vec::new(),
+            soil: 0,
+            sorted: [0; 2],
+            records: Aligned::default(),
+        }
     }
 
     /// Brings the lists up to date. `sorted` tells how often each constituent has been re-sorted.
@@ -32,9 +42,42 @@ impl<T: Real, const D: usize> Across<T, D> {
         self.positions.extend_from_slice(soil);
         self.positions.extend_from_slice(water);
         self.soil = soil.len();
+        if self.sorted == sorted {
+            self.shift();
+        }
         if self.sorted != sorted || self.neighbourhood.is_stale(&self.positions) {
+            self.positions.clear();
+            self.positions.extend_from_slice(soil);
+            self.positions.extend_from_slice(water);
+            let periodic = *self.neighbourhood.periodic();
+            self.shifts = self.positions.iter().map(|x| periodic.wrap(*x) - *x).collect();
+            self.shift();
             self.neighbourhood.rebuild_across(&self.positions, self.soil);
             self.sorted = sorted;
+        }
+    }
+
+    fn shift(&mut self) {
+        for (x, shift) in self.positions.iter_mut().zip(&self.shifts) {
+            *x += *shift;
+        }
+    }
+
+    /// What the lists follow from: where the particles were, and what took them there.
+    pub(super) fn listed(&self) -> (Vec<Vector<T, D>>, Vec<Vector<T, D>>) {
+        (self.neighbourhood.reference_positions().to_vec(), self.shifts.clone())
+    }
+
+    /// Makes the lists of another time again, for `soil` particles of soil.
+    pub(super) fn list_again(
+        &mut self,
+        (positions, shifts): (Vec<Vector<T, D>>, Vec<Vector<T, D>>),
+        soil: usize,
+        sorted: [u64; 2],
+    ) {
+        if !positions.is_empty() && positions.len() == shifts.len() {
+            self.neighbourhood.rebuild_across(&positions, soil);
+            (self.shifts, self.soil, self.sorted) = (shifts, soil, sorted);
         }
     }
 

@@ -70,6 +70,8 @@ pub struct MixtureState<T: Real, const D: usize, S, F> {
     water: ConstituentState<T, D, F>,
     exchanged: [Exchange<D>; 2],
     drag_rate: DragRate<T>,
+    /// Where the particles were when those of the other constituent were listed, and their shifts.
+    across: (Vec<Vector<T, D>>, Vec<Vector<T, D>>),
     started: bool,
 }
 
@@ -186,6 +188,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             water: self.water.state(),
             exchanged: self.exchanged,
             drag_rate: self.coupling.drag_rate,
+            across: self.coupling.across.listed(),
             started: self.started,
         }
     }
@@ -202,6 +205,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.setting.time = state.time;
         self.exchanged = state.exchanged;
         self.coupling.drag_rate = state.drag_rate;
+        let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
+        self.coupling.across.list_again(state.across, self.soil.phase.len(), sorted);
         self.started = state.started;
         Ok(())
     }
