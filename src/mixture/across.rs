@@ -1,7 +1,5 @@
 //! Who of one constituent is near whom of the other, and the sums between them.
 
-use super::Phase;
-use crate::material::Material;
 use crate::real::Real;
 use crate::space::Vector;
 use crate::summation::{Aligned, Neighbourhood, PairFormula, Sums};
@@ -112,10 +110,4 @@ impl<T: Real, const D: usize> Across<T, D> {
             + self.records.bytes()
             + self.positions.capacity() * size_of::<Vector<T, D>>()
     }
-}
-
-/// Space the grains of particle `i` fill, `w = V φ = m/ρ̃₀` \[m³\].
-#[inline(always)]
-pub(super) fn grain_volume<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>, i: usize) -> T {
-    phase.mass[i] / phase.material().reference_density()
 }

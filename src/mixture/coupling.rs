@@ -11,7 +11,7 @@
 //! $$\frac{D\rho_a}{Dt} = \tilde\rho_a\Big[\sum_b V_b \mathbf v_{ab}\cdot\nabla_a W_{ab}
 //! - \sum_i w_i W_{ai} D_i\Big],\qquad D_i = \frac1{S_i}\sum_a V_a\,\mathbf v_{ai}\cdot\nabla_a W_{ai}.$$
 
-use super::across::{Across, grain_volume};
+use super::across::Across;
 use super::constituent::Constituent;
 use super::evaluation::vector_sum;
 use super::pore::Pores;
@@ -171,7 +171,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let (pores, drag) = (&self.pores, &*self.drag);
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
-            record[D] = grain_volume(soil, i);
+            record[D] = soil.matter(i);
             record[D + 1] = soil.volume(i);
             record[D + 2] = pores.pressure[i];
             record[D + 3] = pores.compression[i];
@@ -194,7 +194,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     fn push_soil<S: Material<T>>(&mut self, soil: &mut Constituent<T, D, S>) {
         let mut fastest = T::ZERO;
         for i in 0..soil.phase.len() {
-            let grains = grain_volume(&soil.phase, i);
+            let grains = soil.phase.matter(i);
             let (push, rate) = push(&self.sums, i, grains / soil.phase.mass[i], soil.phase.density(i));
             soil.phase.rate.acceleration[i] += push;
             fastest = fastest.max(rate);

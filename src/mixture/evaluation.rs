@@ -1,4 +1,4 @@
-//! The equations, one method each, in the order of [`Mixture`]'s evaluation.
+//! The equations, one method each, in the order of a [`Constituent`]'s evaluation.
 
 use super::constituent::Constituent;
 use super::continuity::{DensityDiffusion, PairDiffusion};
@@ -62,7 +62,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         self.phase.deviator = deviator;
     }
 
-    /// Continuity (52) and the phase's own part of momentum (58).
+    /// Continuity (52), (53) and the phase's own part of momentum (55), (58).
     pub(super) fn sum_own_pairs<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         match (self.phase.material().needs_velocity_gradient(), self.shares_pressure) {
             (true, false) => self.sum_own_pairs_with::<true, K>(setting),
@@ -70,10 +70,10 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             (true, true) => self.sum_shared_pairs_with::<true, K>(setting),
             (false, true) => self.sum_shared_pairs_with::<false, K>(setting),
         }
-        self.collect_rates(setting);
         if self.shares_pressure {
-            self.collect_shared_rates();
+            self.weigh_shared_sums();
         }
+        self.collect_rates(setting);
     }
 
     /// Whether this is water that shares its space with soil.
@@ -83,14 +83,14 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
     fn sum_own_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
-        self.pack_own_pairs::<STRESS, K>(&|_, pull| pull);
+        self.pack_own_pairs::<STRESS, K>();
         let formula = OwnPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion };
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
     }
 
     fn sum_shared_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
-        self.pack_own_pairs::<STRESS, K>(&|one, _| one);
+        self.pack_own_pairs::<STRESS, K>();
         let formula = SharedPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion };
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
     }
@@ -109,8 +109,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         )
     }
 
-    /// Writes the records of [`OwnPairs`]; `weight(1, φ/ρ²)` multiplies the pressure.
-    fn pack_own_pairs<const STRESS: bool, K: Kernel<T, D>>(&mut self, weight: &(impl Fn(T, T) -> T + Sync)) {
+    /// Writes the records of [`OwnPairs`], or of [`SharedPairs`], which wants the pressure itself.
+    fn pack_own_pairs<const STRESS: bool, K: Kernel<T, D>>(&mut self) {
+        let shared = self.shares_pressure;
         let reference = self.phase.material().reference_density();
         let partial = matches!(self.diffusion, DensityDiffusion::PartialDensity(_));
         let phase = &self.phase;
@@ -128,7 +129,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 record[..D].copy_from_slice(&phase.now.velocity[i].0);
                 record[D] = if phase.is_gliding(i) { -volume } else { volume };
                 record[D + 1] = density;
-                record[D + 2] = phase.pressure[i] * weight(one, pull);
+                record[D + 2] = if shared { phase.pressure[i] } else { phase.pressure[i] * pull };
                 record[D + 3] = if partial { density / reference } else { phase.compression(i) };
                 if STRESS {
                     let mut k = D + 4;
@@ -181,18 +182,18 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         });
     }
 
-    /// Turns what differs for water that shares its space into rates.
-    fn collect_shared_rates(&mut self) {
-        for a in 0..self.phase.len() {
-            let compression = self.scratch.sums.get(a, D + sum::COMPRESSION);
-            let pressure: Vector<T, D> = vector_sum(&self.scratch.sums, a, D + sum::COUNT);
-            let density = self.phase.density(a);
-            self.phase.rate.acceleration[a] -= pressure * (T::ONE / density);
-            // The sum so far is per volume: what is to stand there is Dρ/Dt.
-            let reference = self.phase.material().reference_density();
-            self.phase.rate.excess[a] -= compression / reference;
-            self.scratch.sums.set(a, D + sum::COMPRESSION, T::ZERO);
-            self.add_density_rate(a, compression);
+    /// Turns the sums of [`SharedPairs`], per volume, into what [`OwnPairs`] would have summed: acceleration
+    /// and Dρ/Dt.
+    fn weigh_shared_sums(&mut self) {
+        let (phase, sums) = (&self.phase, &mut self.scratch.sums);
+        for a in 0..phase.len() {
+            let pressure: Vector<T, D> = vector_sum(sums, a, D + sum::COUNT);
+            let inverse = T::ONE / phase.density(a);
+            for k in 0..D {
+                sums.set(a, k, sums.get(a, k) - pressure[k] * inverse);
+            }
+            let compression = sums.get(a, D + sum::COMPRESSION);
+            sums.set(a, D + sum::COMPRESSION, phase.true_density(a) * compression);
         }
     }
 

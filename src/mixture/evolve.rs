@@ -61,7 +61,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
                     let start = base.map_or(*memory, |base| base[i]);
                     let (admitted, loss) = self.material().admit(start.advanced(self.rate.memory[i], dt));
                     *memory = admitted;
-                    returned.book(&loss, self.mass[i] / self.material().reference_density());
+                    returned.book(&loss, self.matter(i));
                 }
             }
             returned

@@ -61,9 +61,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
 
     #[inline(always)]
     fn start<N: Num<Scalar = T>>(&self) -> [N; MOST] {
-        let mut sums = [N::lit(0.0); MOST];
-        sums[D + sum::CLOSEST] = N::splat(T::INFINITY);
-        sums
+        start::<T, N, D>()
     }
 
     #[inline(always)]
@@ -115,6 +113,14 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         sums[D + sum::VISCOUS_LOSS] += artificial * compression;
         sums[D + sum::CLOSEST] = sums[D + sum::CLOSEST].min(r2);
     }
+}
+
+/// Zeros, and nobody near yet.
+#[inline(always)]
+pub(super) fn start<T: Real, N: Num<Scalar = T>, const D: usize>() -> [N; MOST] {
+    let mut sums = [N::lit(0.0); MOST];
+    sums[D + sum::CLOSEST] = N::splat(T::INFINITY);
+    sums
 }
 
 #[inline(always)]

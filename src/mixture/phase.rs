@@ -150,10 +150,11 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// Whether the fields of wall particle `i` evolve, as those of a dynamic wall do.
     #[inline(always)]
     pub(crate) fn is_evolving(&self, i: usize) -> bool {
-        i >= self.wall_particles || self.walls[usize::from(self.body[i])].kind() == WallKind::Dynamic
+        i >= self.wall_particles || self.wall_kind(i) == WallKind::Dynamic
     }
 
     /// Of which kind the wall of wall particle `i` is.
+    #[inline(always)]
     pub(super) fn wall_kind(&self, i: usize) -> WallKind {
         self.walls[usize::from(self.body[i])].kind()
     }
@@ -163,7 +164,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     pub(crate) fn is_gliding(&self, i: usize) -> bool {
         i < self.wall_particles
             && matches!(
-                self.walls[usize::from(self.body[i])].kind(),
+                self.wall_kind(i),
                 WallKind::Extrapolated { slip: Slip::FreeSlip | Slip::Friction(_), .. }
             )
     }
@@ -279,7 +280,14 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.mass[i] / self.density(i)
     }
 
-    /// Sets the partial density of particle `i` \[kg/m³\] at both instants, keeping its mass.
+    /// Volume m/ρ̃₀ \[m³, in 2D m²\] of the matter of particle `i` itself at its reference density; of rigid
+    /// grains w = Vφ, the space they fill.
+    #[inline(always)]
+    pub(crate) fn matter(&self, i: usize) -> T {
+        self.mass[i] / self.material.reference_density()
+    }
+
+    /// Changes the excess of particle `i` at both instants, keeping its mass.
     pub(crate) fn shift_excess(&mut self, i: usize, by: T) {
         self.now.excess[i] += by;
         self.half.excess[i] += by;

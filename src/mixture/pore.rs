@@ -2,7 +2,7 @@
 //! the soil's volume fraction and its rate at the water (67)–(69).
 
 use super::Phase;
-use super::across::{Across, grain_volume};
+use super::across::Across;
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::real::{Num, Real};
@@ -87,7 +87,7 @@ impl<T: Real> Pores<T> {
     ) {
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
-            record[D] = grain_volume(soil, i);
+            record[D] = soil.matter(i);
         };
         let of_water = |a: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&water.now.velocity[a].0);

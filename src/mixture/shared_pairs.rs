@@ -7,7 +7,7 @@
 
 use super::continuity::PairDiffusion;
 use super::momentum::{self, Viscosity};
-use super::own_pairs::{Own, OwnPairs, record_length, sum};
+use super::own_pairs::{self, Own, OwnPairs, record_length, sum};
 use crate::kernel::Kernel;
 use crate::real::{Num, Real};
 use crate::summation::{MOST, PairFormula, Record, add_vector};
@@ -36,9 +36,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
 
     #[inline(always)]
     fn start<N: Num<Scalar = T>>(&self) -> [N; MOST] {
-        let mut sums = [N::lit(0.0); MOST];
-        sums[D + sum::CLOSEST] = N::splat(T::INFINITY);
-        sums
+        own_pairs::start::<T, N, D>()
     }
 
     #[inline(always)]
