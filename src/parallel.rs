@@ -12,21 +12,16 @@ pub(crate) fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnc
     (a(), b())
 }
 
+/// What is done with a part of an array.
+type Task<'a, X> = &'a (dyn Fn(usize, &mut [X]) + Sync);
+
 /// Calls `task(first, part)` on consecutive parts of `data`, each of whole units of `unit` elements
 /// and at most `units` of them; `first` is the index of the part's first unit.
-pub(crate) fn for_each_part<X: Send>(
-    data: &mut [X],
-    unit: usize,
-    units: usize,
-    task: &(impl Fn(usize, &mut [X]) + Sync),
-) {
-    fn go<X: Send>(
-        first: usize,
-        data: &mut [X],
-        unit: usize,
-        units: usize,
-        task: &(impl Fn(usize, &mut [X]) + Sync),
-    ) {
+///
+/// The task is called through a pointer: the machinery of threads, a hundred times the code of a usual
+/// task, is compiled once for each type of element and not for each task.
+pub(crate) fn for_each_part<X: Send>(data: &mut [X], unit: usize, units: usize, task: Task<X>) {
+    fn go<X: Send>(first: usize, data: &mut [X], unit: usize, units: usize, task: Task<X>) {
         let count = data.len() / unit;
         if count <= units {
             if count > 0 {
