@@ -12,13 +12,6 @@ use crate::time::Integrator;
 /// [`MixtureState`]). With the feature `serde` it can be written in any format.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, S: serde::Serialize, F: serde::Serialize, I: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, S: serde::Deserialize<'de>, F: serde::Deserialize<'de>, I: serde::Deserialize<'de>"
-    ))
-)]
 pub struct Snapshot<T: Real, const D: usize, S, F, I> {
     mixture: MixtureState<T, D, S, F>,
     integrator: I,

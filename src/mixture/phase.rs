@@ -11,13 +11,6 @@ use crate::time::Moment;
 /// The fields an integrator advances, at one instant.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, M: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
-    ))
-)]
 pub(crate) struct Fields<T: Real, const D: usize, M> {
     pub(crate) velocity: Vec<Vector<T, D>>,
     /// ρ/ρ̃₀ − φ: the partial density beyond its reference; kept instead of ρ so that `f32` does not
@@ -29,13 +22,6 @@ pub(crate) struct Fields<T: Real, const D: usize, M> {
 /// Rates of change at the whole step.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, M: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
-    ))
-)]
 pub(crate) struct Rates<T: Real, const D: usize, M> {
     /// \[m/s²\]; for wall particles what they would feel, kept as the reaction.
     pub(crate) acceleration: Vec<Vector<T, D>>,

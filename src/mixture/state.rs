@@ -14,13 +14,6 @@ use crate::space::Vector;
 /// Every per-particle array of a phase.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, M: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
-    ))
-)]
 pub(crate) struct PhaseState<T: Real, const D: usize, M> {
     id: Vec<u32>,
     body: Vec<u16>,
@@ -45,13 +38,6 @@ impl<T: Real, const D: usize, M> PhaseState<T, D, M> {
 /// The state of a constituent between two steps.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, M: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, M: serde::Deserialize<'de>"
-    ))
-)]
 struct ConstituentState<T: Real, const D: usize, M> {
     phase: PhaseState<T, D, M>,
     /// Where the particles were when their neighbours were listed: the list follows from it.
@@ -64,13 +50,6 @@ struct ConstituentState<T: Real, const D: usize, M> {
 /// walls and their motion, forces, numerics, search.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: serde::Serialize, S: serde::Serialize, F: serde::Serialize",
-        deserialize = "T: serde::Deserialize<'de>, S: serde::Deserialize<'de>, F: serde::Deserialize<'de>"
-    ))
-)]
 pub struct MixtureState<T: Real, const D: usize, S, F> {
     time: f64,
     soil: ConstituentState<T, D, S>,
