@@ -12,33 +12,33 @@ pub(super) fn have_strayed<T: Real, const D: usize>(
     starts: &[Vector<T, D>],
     skin: T,
 ) -> bool {
-    // A hair early, so that rounding loses no pair.
-    let limit = skin * skin * T::of(0.998);
+    // Two particles, each within half the skin, have not approached by more than that. The second look
+    // costs more, and is worth it: it makes lists last up to twice as long.
+    !have_stayed(positions, starts, skin * T::of(0.5))
+        && Spread::of(positions, starts).diagonal2() > almost_squared(skin)
+}
+
+/// Whether no particle is farther than `reach` \[m\] from where it was when it was listed.
+pub(super) fn have_stayed<T: Real, const D: usize>(
+    positions: &[Vector<T, D>],
+    starts: &[Vector<T, D>],
+    reach: T,
+) -> bool {
+    let limit = almost_squared(reach);
     let near = |range: Range<usize>| {
         let mut near = true;
         for (x, start) in positions[range.clone()].iter().zip(&starts[range]) {
             // Written so that NaN counts as far, and without a branch.
-            near &= (*x - *start).norm2() * T::of(4.0) <= limit;
+            near &= (*x - *start).norm2() <= limit;
         }
         near
     };
-    // Two particles, each within half the skin, have not approached by more than that.
-    let all_near = parallel::reduce(positions.len(), true, near, |a, b| a && b);
-    // The second look costs more, and is worth it: it makes lists last up to twice as long.
-    !all_near && Spread::of(positions, starts).diagonal2() > limit
+    parallel::reduce(positions.len(), true, near, |a, b| a && b)
 }
 
-/// Whether no particle is farther than `skin` \[m\] from where it was when it was listed.
-pub(super) fn have_stayed<T: Real, const D: usize>(
-    positions: &[Vector<T, D>],
-    starts: &[Vector<T, D>],
-    skin: T,
-) -> bool {
-    let limit = skin * skin * T::of(0.998);
-    let near = |range: Range<usize>| {
-        positions[range.clone()].iter().zip(&starts[range]).all(|(x, start)| (*x - *start).norm2() <= limit)
-    };
-    parallel::reduce(positions.len(), true, near, |a, b| a && b)
+/// A hair less than the square, so that rounding loses no pair.
+fn almost_squared<T: Real>(x: T) -> T {
+    x * x * T::of(0.998)
 }
 
 /// The box of all displacements: no two particles have approached by more than its diagonal. Where
