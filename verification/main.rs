@@ -9,6 +9,7 @@
 //!
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
+mod balance;
 mod bench;
 mod channel;
 mod dam_break;

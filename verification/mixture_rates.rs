@@ -1,6 +1,7 @@
 //! What one evaluation of soil and water together must satisfy, wherever the particles are: the power
 //! identity, momentum, no force at uniform pressure, drag as Darcy's law has it.
 
+use crate::balance::{self, random};
 use crate::soil::{GRAINS, elastic, elasticity};
 use crate::water::{periodic, water};
 use alluvium::budget::Account;
@@ -8,7 +9,7 @@ use alluvium::kernel::{Kernel, WendlandC2};
 use alluvium::material::{Conductivity, Darcy, DragLaw, Soil, Unyielding, Water};
 use alluvium::mixture::{ArtificialViscosity, CouplingForm, DensityDiffusion, Mixture, Phase, Wall};
 use alluvium::time::Evolve;
-use alluvium::verify::{Arrangement, Conditions, Expected, Measured, Random, Study};
+use alluvium::verify::{Arrangement, Conditions, Expected, Measured, Study};
 use alluvium::{Real, SymTensor, Vector, setup};
 
 type Both<T, const D: usize> = Mixture<T, D, WendlandC2<T, D>, Soil<T, Unyielding>, Water<T>>;
@@ -77,10 +78,6 @@ fn identity<T: Real, const D: usize>(name: &str, form: CouplingForm, largest: f6
 /// quarter of each is a dynamic wall.
 fn cloud<T: Real, const D: usize>(seed: u64) -> Both<T, D> {
     let side = if D == 2 { 20 } else { 10 };
-    let random = |x: &Vector<T, D>, salt: u64| {
-        let bits = x.0.iter().fold(salt, |bits, x| bits.rotate_left(9) ^ x.bits());
-        Random::new(bits).between(-1.0, 1.0)
-    };
     let arranged = |seed| {
         let arrangement = Arrangement::<D>::jittered(side, 0.25, seed);
         let (low, high): (Vec<_>, Vec<_>) =
@@ -118,14 +115,8 @@ fn cloud<T: Real, const D: usize>(seed: u64) -> Both<T, D> {
 /// |Σ of all powers| / Σ |terms|.
 fn residual<T: Real, const D: usize>(mut mixture: Both<T, D>, conditions: &Conditions) -> f64 {
     mixture.evaluate().expect("rates");
-    let mut terms = energy_rates(&mixture, conditions);
-    let powers = mixture.exchange_rate().taken;
-    for account in Account::ALL {
-        if !DROPPED.iter().any(|(name, which)| *which == account && conditions.is(name)) {
-            terms.push(powers[account]);
-        }
-    }
-    terms.iter().sum::<f64>().abs() / terms.iter().map(|term| term.abs()).sum::<f64>()
+    let stored = energy_rates(&mixture, conditions);
+    balance::residual(stored, &mixture.exchange_rate().taken, &DROPPED, conditions)
 }
 
 /// Rates of kinetic, potential, elastic and compressive energy, particle by particle.

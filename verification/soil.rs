@@ -4,7 +4,7 @@ use alluvium::kernel::WendlandC2;
 use alluvium::material::{
     Absent, DruckerPrager, Elasticity, Loss, Material, Soil, SoilMemory, Unyielding, YieldSurface,
 };
-use alluvium::mixture::{ArtificialViscosity, Mixture, Phase};
+use alluvium::mixture::{ArtificialStress, ArtificialViscosity, Mixture, Phase};
 use alluvium::{Real, SymTensor, Tensor, Vector};
 
 pub type SoilMixture<T, const D: usize, S> = Mixture<T, D, WendlandC2<T, D>, S, Absent>;
@@ -25,6 +25,11 @@ pub fn elastic<T: Real>() -> Soil<T, Unyielding> {
 /// Soil on that cone.
 pub fn on_cone<T: Real>(cone: DruckerPrager<T>) -> Soil<T> {
     Soil::new(T::of(GRAINS), elasticity(), cone).expect("a soil")
+}
+
+/// The usual artificial stress against tensile instability, on particles of that spacing \[m\].
+pub fn artificial_stress<T: Real>(spacing: f64) -> ArtificialStress<T> {
+    ArtificialStress { strength: T::of(0.3), exponent: 4, spacing: T::of(spacing) }
 }
 
 /// A mixture of that phase without artificial viscosity.

@@ -1,10 +1,10 @@
 //! An elastic plate, clamped at one end, that swings freely.
 
 use crate::fits::{Series, oscillation};
-use crate::soil::SoilMixture;
+use crate::soil::{SoilMixture, artificial_stress};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Elasticity, Soil, Unyielding};
-use alluvium::mixture::{ArtificialStress, ArtificialViscosity, Mixture, Phase, Wall};
+use alluvium::mixture::{ArtificialViscosity, Mixture, Phase, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{StepSize, VelocityVerlet};
 use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
@@ -94,12 +94,6 @@ fn clamped<T: Real>(spacing: f64, conditions: &Conditions) -> SoilMixture<T, 2, 
     let kernel = WendlandC2::new(T::of(1.5 * spacing)).expect("a length");
     Mixture::of_soil(kernel, phase)
         .with_soil_artificial_viscosity(ArtificialViscosity { linear: T::of(0.05), quadratic: T::ZERO })
-        .and_then(|mixture| {
-            mixture.with_artificial_stress(ArtificialStress {
-                strength: T::of(0.3),
-                exponent: 4,
-                spacing: T::of(spacing),
-            })
-        })
+        .and_then(|mixture| mixture.with_artificial_stress(artificial_stress(spacing)))
         .expect("numerics")
 }
