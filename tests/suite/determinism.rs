@@ -1,7 +1,8 @@
 //! The state after 200 steps of a dam break is the same to the last bit for any number of threads,
 //! any neighbour search and any instruction set; and the hash that says so is not blind.
 
-use crate::tank::{Dam, hash};
+use crate::fingerprint::hash;
+use crate::tank::Dam;
 use alluvium::mixture::{ArtificialViscosity, Mixture, Slip, Wall};
 use alluvium::neighbours::{BruteForce, CellList};
 use alluvium::parallel::Threads;

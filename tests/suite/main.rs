@@ -12,6 +12,7 @@ mod determinism;
 #[cfg(feature = "cli")]
 mod drive;
 mod errata;
+mod fingerprint;
 mod forensics;
 mod from_outside;
 mod integrators;
@@ -20,6 +21,8 @@ mod lane_code;
 mod lattice_sums;
 mod layers;
 mod links;
+#[cfg(feature = "case")]
+mod mistakes;
 mod mixture;
 mod neighbours;
 mod openings;

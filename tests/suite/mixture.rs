@@ -1,6 +1,7 @@
 //! Soil and water together: the same bits however they are computed and across a
 //! restart; a step that knows drag.
 
+use crate::fingerprint::hash;
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, Elasticity, Soil, Unyielding, Water};
 use alluvium::mixture::{Mixture, Phase};
@@ -41,22 +42,6 @@ fn saturated<T: Real, const D: usize>(conductivity: f64) -> Both<T, D> {
 
 fn run<T: Real, const D: usize>(mixture: Both<T, D>) -> Run<T, D> {
     Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).unwrap())
-}
-
-fn hash<T: Real, const D: usize>(mixture: &Both<T, D>) -> u64 {
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    let mut add = |bits: u64| hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(23);
-    let (soil, water) = (mixture.soil(), mixture.water());
-    for (x, v) in soil.positions().iter().zip(soil.velocities()) {
-        x.0.iter().chain(&v.0).for_each(|x| add(x.bits()));
-    }
-    for a in 0..water.len() {
-        let vectors = [water.positions()[a], water.velocities()[a]];
-        vectors.iter().flat_map(|x| x.0).for_each(|x| add(x.bits()));
-        add(water.volume_fraction(a).bits());
-        add(water.compression(a).bits());
-    }
-    hash
 }
 
 fn state_after<T: Real, const D: usize>(mixture: Both<T, D>, threads: usize) -> u64 {

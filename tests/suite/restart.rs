@@ -1,6 +1,7 @@
 //! A run resumed from a snapshot has the same bits as one that never stopped.
 
-use crate::tank::{Dam, hash};
+use crate::fingerprint::hash;
+use crate::tank::Dam;
 use alluvium::Real;
 use alluvium::material::Absent;
 use alluvium::mixture::{Slip, Wall};

@@ -1,6 +1,7 @@
 //! A small column of sand: the same bits for any number of threads, any search, any instructions, and
 //! across a restart; a stop that names what went wrong.
 
+use crate::fingerprint::hash;
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Absent, Cone, DruckerPrager, Elasticity, LateralRatio, Soil, SoilMemory};
 use alluvium::mixture::{ArtificialStress, Mixture, Phase, Slip, StepError, Wall};
@@ -46,21 +47,6 @@ fn column<T: Real, const D: usize>(wall: Wall<T, D>) -> Sand<T, D> {
 fn run<T: Real, const D: usize>(mixture: Sand<T, D>) -> Run<T, D> {
     let step = StepSize::courant(T::of(0.2)).unwrap();
     Simulation::new(mixture, LeapFrog::new(), step).with_stress_regularisation(50)
-}
-
-fn hash<T: Real, const D: usize>(mixture: &Sand<T, D>) -> u64 {
-    let soil = mixture.soil();
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    let mut add = |bits: u64| hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(23);
-    for i in 0..soil.len() {
-        add(u64::from(soil.ids()[i]));
-        let vectors = [soil.positions()[i], soil.velocities()[i]];
-        vectors.iter().flat_map(|x| x.0).for_each(|x| add(x.bits()));
-        add(soil.density(i).bits());
-        let memory = soil.memory(i);
-        memory.stress.0.iter().chain(&memory.plastic_strain.0).for_each(|x| add(x.bits()));
-    }
-    hash
 }
 
 fn state_after<T: Real, const D: usize>(mixture: Sand<T, D>, threads: usize) -> u64 {

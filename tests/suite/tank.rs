@@ -49,19 +49,3 @@ impl Dam {
 fn first<const D: usize>(x: [f64; 3]) -> [f64; D] {
     core::array::from_fn(|k| x[k])
 }
-
-/// A hash of every bit of the state: ids, positions, velocities, densities.
-pub fn hash<T: Real, const D: usize, K: Kernel<T, D>, F: Material<T>>(
-    mixture: &Mixture<T, D, K, Absent, F>,
-) -> u64 {
-    let water = mixture.water();
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    let mut add = |bits: u64| hash = (hash ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(23);
-    for i in 0..water.len() {
-        add(u64::from(water.ids()[i]));
-        let vectors = [water.positions()[i], water.velocities()[i]];
-        vectors.iter().flat_map(|x| x.0).for_each(|x| add(x.bits()));
-        add(water.compression(i).bits());
-    }
-    hash
-}

@@ -1,6 +1,7 @@
 //! A search of one's own: points sorted along one axis, a window of them proposed.
 
-use crate::tank::{Dam, hash};
+use crate::fingerprint::hash;
+use crate::tank::Dam;
 use alluvium::mixture::{Mixture, Slip, Wall};
 use alluvium::neighbours::NeighbourSearch;
 use alluvium::simulation::Simulation;
