@@ -290,7 +290,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             return bad("density rate", "density diffusion (54)");
         }
         if !phase.rate.acceleration[i].is_finite() {
-            return bad("acceleration", "body force");
+            return bad("acceleration", self.added_term(setting, i));
         }
         let mut nearest = (f64::INFINITY, i);
         self.neighbourhood.for_each_neighbour(&phase.position, i, |j, _, r2: T| {
@@ -299,6 +299,23 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             }
         });
         StepError::Overlap { culprit, other: phase.id[nearest.1], distance: nearest.0.sqrt(), allowed }
+    }
+
+    /// The term that made an acceleration no number, of those added to the sums over one's own pairs.
+    fn added_term<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>, i: usize) -> &'static str {
+        let force = setting.force.as_ref().filter(|_| i >= self.phase.wall_particles());
+        let force = force.map(|force| (force.acceleration)(&self.phase.position[i], setting.time));
+        if force.is_some_and(|a| !a.is_finite()) {
+            return "body force";
+        }
+        let control = match (self.artificial_stress, self.strain_control > T::ZERO) {
+            (Some(_), _) => Some("artificial stress"),
+            (None, true) => Some("strain control"),
+            (None, false) => None,
+        };
+        // Both leave what they added behind.
+        let added = control.filter(|_| !vector_sum::<T, D>(&self.scratch.extra, i, 0).is_finite());
+        added.unwrap_or(self.term("coupling (58)", "coupling (55)"))
     }
 
     /// The name of a term, as it is for each constituent.
