@@ -30,11 +30,18 @@ pub fn studies() -> Vec<Study> {
     }
     studies.push(closure("dynamic walls, Courant number 0.2", closing::DYNAMIC, 1e-4));
     studies.push(closure("extrapolated walls, Courant number 0.05", closing::EXTRAPOLATED, 1e-4));
+    let reinitialised = closing::REINITIALISED;
+    studies.push(closure("default preset with (70), Courant number 0.2", reinitialised, 2e-3));
+    let fine = Closing { spacing: MIDDLE, ..reinitialised };
+    studies.push(
+        closure("default preset with (70), Courant number 0.2, Δx = 0.0025 m", fine, 2e-3).level(Level::Full),
+    );
     studies.push(closure("the paper's preset with (70), Courant number 0.1", closing::PAPER, 2e-3));
     studies.extend([Preset::Paper, Preset::Default].map(resolution));
     studies.push(precision());
     studies.push(slab());
-    studies.extend([Preset::Paper, Preset::Default].map(convergence));
+    studies.push(convergence(Preset::Default).expect(Expected::Order { at_least: 0.0, at_most: 1.0 }));
+    studies.push(convergence(Preset::Paper).expect(Expected::Plateau { value: 0.06, tolerance: 0.1 }));
     studies
 }
 
@@ -117,21 +124,26 @@ fn tightness(spacing: f64, level: Level) -> Study {
 
 /// What the ledger is followed through.
 mod closing {
+    use super::COARSE;
     use crate::dam_run::Closing;
     use alluvium::Preset::{Default, Paper};
 
-    pub const DYNAMIC: Closing = Closing { preset: Default, dynamic: true, courant: 0.2 };
-    /// Spray holds together in spinning pairs under suction; at 0.2 leap-frog makes such a pair grow,
-    /// and closure is 1.6e-3 at the end.
-    pub const EXTRAPOLATED: Closing = Closing { preset: Default, dynamic: false, courant: 0.05 };
-    /// At the preset's own 0.3, closure is 0.12 at the end: leap-frog is beyond its stability.
-    pub const PAPER: Closing = Closing { preset: Paper, dynamic: true, courant: 0.1 };
+    pub const DYNAMIC: Closing =
+        Closing { preset: Default, spacing: COARSE, dynamic: true, courant: 0.2, reinitialise_every: 0 };
+    /// Flakes of spray hold together under suction, and their vibration grows with Δt³; at 0.2 closure is
+    /// 1.6e-3 at the end.
+    pub const EXTRAPOLATED: Closing = Closing { dynamic: false, courant: 0.05, ..DYNAMIC };
+    /// Reinitialisation takes the suction away.
+    pub const REINITIALISED: Closing = Closing { dynamic: false, reinitialise_every: 20, ..DYNAMIC };
+    /// At h = Δx the vibration is faster: closure is 5.6e-3 at the paper's own step, which is a Courant number
+    /// of 0.2, and 0.3 at 0.3 (docs/decisions/0014-the-papers-dam-break.md).
+    pub const PAPER: Closing = Closing { preset: Paper, courant: 0.1, reinitialise_every: 20, ..DYNAMIC };
 }
 
 fn closure(what: &str, closing: Closing, largest: f64) -> Study {
     let claim = "energy closes to t = 0.5 s, all accounts booked, relative to the initial potential energy";
     Study::new(format!("dam-break/closure/{what}"), claim, move |conditions| {
-        Measured::value(closing.run(COARSE, conditions).closure)
+        Measured::value(closing.run(conditions).closure)
     })
     .equations(&["52", "58", "59", "70", "71"])
     .source("conservation of energy")
@@ -183,8 +195,17 @@ fn compare(one: &Record, other: &Record) -> Measured {
 }
 
 fn convergence(preset: Preset) -> Study {
-    let claim = "the horizontal velocity at t = 0.2 s converges to a finite-volume solution (78) with an order \
-                 between 0 and 1 (Fig. 5)";
+    let claim = match preset {
+        Preset::Default => {
+            "the horizontal velocity at t = 0.2 s converges to a finite-volume solution (78) with an order \
+             between 0 and 1 (Fig. 5)"
+        }
+        // Eight neighbours, at h = Δx, whatever the spacing.
+        Preset::Paper => {
+            "with the paper's preset the horizontal velocity at t = 0.2 s stays as far from a finite-volume \
+             solution (78) as it is: the error of sums over eight neighbours does not fall with the spacing"
+        }
+    };
     Study::new(name("convergence", preset, FINE), claim, move |conditions| {
         let spacings = [0.01, COARSE, MIDDLE, FINE];
         let records = spacings.map(|spacing| record::<f64>(preset, spacing, END, conditions));
@@ -196,6 +217,5 @@ fn convergence(preset: Preset) -> Study {
     .equations(&["78"])
     .source("an interFoam solution on 320 × 192 cells, in verification/data; the paper's Fig. 5")
     .level(Level::Full)
-    .expect(Expected::Order { at_least: 0.0, at_most: 1.0 })
     .mutant(LIGHT)
 }

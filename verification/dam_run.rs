@@ -52,12 +52,22 @@ pub fn record<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Cond
     slot.get_or_init(|| run::<T>(preset, spacing, end, conditions)).clone()
 }
 
+/// The paper's is fixed (Table 1).
+fn step_size<T: Real>(preset: Preset, spacing: f64) -> StepSize<T> {
+    let step = match preset {
+        Preset::Paper => StepSize::fixed(T::of(dam_break::step(spacing))),
+        Preset::Default => StepSize::courant(T::of(preset.courant())),
+    };
+    step.expect("in range")
+}
+
 fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions) -> Record {
     let scene = Tank::dam_break(spacing, preset);
-    let mixture =
-        mutated(scene.mixture_without(preset.wall(), &|k| conditions.is(THIN) && k % 3 != 0), conditions);
-    let step_size = StepSize::courant(T::of(preset.courant())).expect("the preset's");
-    let run = Simulation::new(mixture, LeapFrog::new(), step_size)
+    let mixture = mutated(
+        scene.mixture_without::<T>(preset.wall(), &|k| conditions.is(THIN) && k % 3 != 0),
+        conditions,
+    );
+    let run = Simulation::new(mixture, LeapFrog::new(), step_size(preset, spacing))
         .with_reinitialisation(preset.reinitialise_every());
     // One thread each: the harness runs studies side by side.
     Threads::new(1).expect("a thread").install(|| watch(run, end, conditions))
@@ -67,8 +77,7 @@ fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions)
 pub fn slab_record(spacing: f64, depth: f64, conditions: &Conditions) -> Record {
     let scene = Tank::dam_break_slab(spacing, depth, Preset::Default);
     let mixture = mutated(scene.mixture::<f64>(Preset::Default.wall()), conditions);
-    let step_size = StepSize::courant(Preset::Default.courant()).expect("the preset's");
-    let run = Simulation::new(mixture, LeapFrog::new(), step_size);
+    let run = Simulation::new(mixture, LeapFrog::new(), step_size(Preset::Default, spacing));
     Threads::new(1).expect("a thread").install(|| watch(run, 0.18, conditions))
 }
 
@@ -76,18 +85,22 @@ pub fn slab_record(spacing: f64, depth: f64, conditions: &Conditions) -> Record 
 #[derive(Clone, Copy, Debug)]
 pub struct Closing {
     pub preset: Preset,
+    /// \[m\]
+    pub spacing: f64,
     /// Dynamic walls, whatever the preset has.
     pub dynamic: bool,
     pub courant: f64,
+    /// Steps between reinitialisations (70); 0 means never.
+    pub reinitialise_every: usize,
 }
 
 impl Closing {
-    pub fn run(self, spacing: f64, conditions: &Conditions) -> Record {
+    pub fn run(self, conditions: &Conditions) -> Record {
         let wall = if self.dynamic { Wall::dynamic() } else { self.preset.wall() };
-        let mixture = Tank::dam_break(spacing, self.preset).mixture::<f64>(wall);
+        let mixture = Tank::dam_break(self.spacing, self.preset).mixture::<f64>(wall);
         let step_size = StepSize::courant(self.courant).expect("up to one");
         let run = Simulation::new(mixture, LeapFrog::new(), step_size)
-            .with_reinitialisation(self.preset.reinitialise_every());
+            .with_reinitialisation(self.reinitialise_every);
         Threads::new(1).expect("a thread").install(|| watch(run, 0.5, conditions))
     }
 }

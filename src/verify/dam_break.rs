@@ -16,12 +16,22 @@ pub const HEIGHT: f64 = 0.2;
 pub const TANK: f64 = 0.4;
 /// Gravity \[m/s²\].
 pub const GRAVITY: f64 = 9.81;
+/// The paper's particle spacing \[m\]: 12 800 particles.
+pub const SPACING: f64 = 0.001_25;
+/// The paper's time step \[s\] (Table 1).
+pub const STEP: f64 = 1e-5;
 /// Typical velocity in (78) \[m/s\].
 pub const TYPICAL_VELOCITY: f64 = 2.5;
 
 /// The paper's dimensionless time `T = t √(2g/L)`.
 pub fn dimensionless_time(t: f64) -> f64 {
     t * (2.0 * GRAVITY / WIDTH).sqrt()
+}
+
+/// The paper's time step \[s\] at a particle spacing \[m\]: the printed one, and at finer spacings than the
+/// paper's one of the same Courant number, 0.2.
+pub fn step(spacing: f64) -> f64 {
+    STEP * (spacing / SPACING).min(1.0)
 }
 
 /// Dimensionless position `X = x/L` of the leading edge: the foremost particle and half its spacing.

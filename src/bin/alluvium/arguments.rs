@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::drive::DriveOptions;
+use alluvium::Preset;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -91,10 +92,30 @@ pub enum PresetName {
     Paper,
 }
 
+impl PresetName {
+    /// The library's.
+    pub fn preset(self) -> Preset {
+        match self {
+            Self::Default => Preset::Default,
+            Self::Paper => Preset::Paper,
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PrecisionName {
     F32,
     F64,
+}
+
+impl PrecisionName {
+    /// As in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
 }
 
 fn positive(text: &str) -> Result<f64, String> {

@@ -13,7 +13,7 @@ use alluvium::time::Integrator;
 use alluvium::verify::dam_break::{self, Reference};
 use alluvium::verify::sand_column::{Pile, Section};
 use alluvium::{Real, Vector};
-use constituent::{Start, fastest, file, front, inner, place};
+use constituent::{fastest, file, front, inner, place, seen};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -21,8 +21,6 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Simulated<T: Real, const D: usize, K: Kernel<T, D>, I: Integrator<T>> {
     simulation: CaseSimulation<T, D, K, I>,
     start: Budget<D>,
-    soil_start: Start,
-    water_start: Start,
     /// The wall on each side, in the library's order.
     sides: Vec<Side>,
     /// The lowest potential energy the particles could have in the case's boxes \[J\].
@@ -38,8 +36,6 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sim
         let steepest = |a: &usize, b: &usize| case.gravity[*a].abs().total_cmp(&case.gravity[*b].abs());
         Self {
             start,
-            soil_start: Start::of(simulation.mixture().soil(), case),
-            water_start: Start::of(simulation.mixture().water(), case),
             sides: case.wall_sides(),
             ground: start.mass * lowest(case),
             up: (0..D).max_by(steepest).unwrap_or(1),
@@ -178,8 +174,8 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
         let soil_walls = soil.positions()[..soil.wall_particles()].iter();
         let water_walls = water.positions()[..water.wall_particles()].iter();
         View {
-            soil: self.soil_start.seen(soil),
-            water: self.water_start.seen(water),
+            soil: seen(soil),
+            water: seen(water),
             walls: soil_walls.chain(water_walls).map(|x| place(*x)).collect(),
         }
     }

@@ -21,14 +21,8 @@ pub struct Stopped(pub String);
 /// A particle of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// Its number, the same through the run.
-    #[allow(dead_code, reason = "for pictures of where particles went, which are to come")]
-    pub id: u32,
     /// Where it is \[m\].
     pub place: [f64; 3],
-    /// How far from where it started \[m\].
-    #[allow(dead_code, reason = "for pictures of where particles went, which are to come")]
-    pub displacement: [f64; 3],
     /// Its pressure \[Pa\].
     pub pressure: f64,
     /// Its speed \[m/s\].

@@ -96,9 +96,7 @@ impl Solver for StandIn {
 
     fn view(&mut self) -> View {
         let seen = Seen {
-            id: 0,
             place: [self.front(), 0.0, 0.0],
-            displacement: [self.front() - 0.1, 0.0, 0.0],
             pressure: 500.0,
             speed: 1.0,
             equivalent_plastic_strain: 0.0,

@@ -1,7 +1,7 @@
 //! The dam break at four resolutions against a finite-volume solution (paper, Fig. 5).
 
 use super::bad_table;
-use super::dam_break::{SPACING, Watch, case_text};
+use super::dam_break::{Watch, case_text};
 use crate::arguments::{OutputOptions, ReproduceOptions};
 use crate::folder::RunFolder;
 use crate::manifest::Manifest;
@@ -12,7 +12,7 @@ use crate::run::run_case;
 use alluvium::case::Case;
 use alluvium::output::TableWriter;
 use alluvium::verify::OrderFit;
-use alluvium::verify::dam_break::{Reference, VelocityError};
+use alluvium::verify::dam_break::{Reference, SPACING, VelocityError};
 use core::fmt::Write;
 use std::path::{Path, PathBuf};
 

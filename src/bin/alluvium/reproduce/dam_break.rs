@@ -3,9 +3,9 @@
 mod pictures;
 mod report;
 
-use super::bad_table;
 use super::ledger::Ledger;
-use crate::arguments::{PrecisionName, PresetName, ReproduceOptions};
+use super::{bad_table, head};
+use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
 use crate::published::{KOSHIZUKA_OKA, KOSHIZUKA_OKA_MPS, MARTIN_MOYCE, curve, volume_of_fluid};
 use crate::run::{Finished, run_case};
@@ -13,11 +13,7 @@ use crate::solver::{DamBreak, Solver, View, quantity};
 use alluvium::Preset;
 use alluvium::case::Case;
 use alluvium::output::{Table, TableError};
-use alluvium::verify::dam_break::{Curve, HEIGHT, Reference, TANK, WIDTH, dimensionless_time};
-
-/// The paper's particle spacing \[m\] and its step at that spacing \[s\] (Table 1).
-pub(super) const SPACING: f64 = 0.001_25;
-const STEP: f64 = 1e-5;
+use alluvium::verify::dam_break::{Curve, HEIGHT, Reference, SPACING, TANK, WIDTH, dimensionless_time, step};
 
 /// Runs, compares, draws.
 pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
@@ -56,7 +52,7 @@ impl<'a> Watch<'a> {
 
 /// Compares and draws a finished run.
 fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Failure> {
-    let report_head = report::head(case, &finished);
+    let report_head = head::of_report("Dam break", "water", case, &finished, "");
     let Finished { mut folder, manifest, .. } = finished;
     let text = std::fs::read_to_string(folder.file("history.csv")?)?;
     let table = Table::parse(&text).map_err(|error| bad_table("history.csv", &error))?;
@@ -76,30 +72,20 @@ fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Fai
 /// The case as a file: the paper's sizes, Table 1. The tank's walls are five times as high as the column,
 /// to keep all that shoots up the far side; the paper's end where the column does.
 pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, dumps: &str) -> String {
-    let preset = match options.preset {
-        PresetName::Default => Preset::Default,
-        PresetName::Paper => Preset::Paper,
+    let time = match options.preset.preset() {
+        Preset::Paper => format!("time_step_s = {:e}", step(spacing)),
+        preset @ Preset::Default => format!("courant = {:?}", preset.courant()),
     };
-    let precision = match options.precision {
-        PrecisionName::F32 => "f32",
-        PrecisionName::F64 => "f64",
-    };
-    // The paper's step belongs to its spacing: the Courant number stays the same.
-    let time = match preset {
-        Preset::Paper => format!("time_step_s = {:e}", STEP * spacing / SPACING),
-        Preset::Default => format!("courant = {:?}", preset.courant()),
-    };
-    let end = dumps.rsplit(", ").next().unwrap_or("0.5");
-    format!(
-        "name = \"{name}\"\npreset = \"{preset}\"\nprecision = \"{precision}\"\nend_time_s = {end}\n\
-         [water]\nsound_speed_m_per_s = 25.0\nviscosity_pa_s = 1.0e-3\n\
+    head::of_case(name, options, dumps)
+        + &format!(
+            "[water]\nsound_speed_m_per_s = 25.0\nviscosity_pa_s = 1.0e-3\n\
          [[water.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [{WIDTH:?}, {HEIGHT:?}]\n\
          [particles]\nspacing_m = {spacing:?}\n\
          [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{TANK:?}, {:?}]\nopen = [\"+y\"]\n\
          [time]\n{time}\n\
          [output]\ndump_times_s = [{dumps}]\nhistory_interval_s = 5.0e-4\n",
-        5.0 * HEIGHT
-    )
+            5.0 * HEIGHT
+        )
 }
 
 /// What the history and the published data say.

@@ -3,6 +3,7 @@
 mod bars;
 mod convergence;
 mod dam_break;
+mod head;
 mod ledger;
 mod sand_column;
 

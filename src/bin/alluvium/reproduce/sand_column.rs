@@ -6,14 +6,13 @@ pub(super) mod run_out;
 #[cfg(test)]
 mod tests;
 
-use super::bad_table;
 use super::ledger::Ledger;
-use crate::arguments::{OutputOptions, PrecisionName, PresetName, ReproduceOptions};
+use super::{bad_table, head};
+use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::published::{BUI_FAILURE_LINE, BUI_SURFACE, curve};
 use crate::run::{Finished, run_case};
 use crate::solver::Solver;
-use alluvium::Preset;
 use alluvium::case::{Case, Warnings};
 use alluvium::output::{Table, TableError, TableWriter};
 use alluvium::verify::Curve;
@@ -60,6 +59,15 @@ fn associated(column: &Column, options: &ReproduceOptions, finished: &Finished) 
     Ok(Beside { run: Run::of(&watch), stopped })
 }
 
+/// Degrees: none for sand that flows at a constant volume, as in the experiment's own computation; the
+/// paper's flow rule is associated.
+fn dilatancy(preset: PresetName) -> f64 {
+    match preset {
+        PresetName::Default => 0.0,
+        PresetName::Paper => FRICTION_ANGLE,
+    }
+}
+
 /// A column against a wall.
 #[derive(Clone, Copy)]
 struct Column {
@@ -73,32 +81,19 @@ struct Column {
 }
 
 impl Column {
-    /// Table 2. The dilatancy is none: sand that flows at a constant volume, as in the experiment's
-    /// own computation; the paper's flow rule is associated.
+    /// Table 2.
     fn of_the_paper(options: &ReproduceOptions) -> Self {
-        let dilatancy = match options.preset {
-            PresetName::Default => 0.0,
-            PresetName::Paper => FRICTION_ANGLE,
-        };
+        let dilatancy = dilatancy(options.preset);
         let (name, dumps) = ("sand-column", DUMPS);
         Self { name, width: WIDTH, height: HEIGHT, floor: FLOOR, spacing: SPACING, dilatancy, dumps }
     }
 
     /// The case as a file: 2650 kg/m³ is taken for the density of the bulk, as Table 2 gives no porosity.
     fn text(&self, options: &ReproduceOptions) -> String {
-        let preset = match options.preset {
-            PresetName::Default => Preset::Default,
-            PresetName::Paper => Preset::Paper,
-        };
-        let precision = match options.precision {
-            PrecisionName::F32 => "f32",
-            PrecisionName::F64 => "f64",
-        };
         let Self { name, width, height, floor, spacing, dilatancy, dumps } = *self;
-        let end = dumps.rsplit(", ").next().unwrap_or("1.0");
-        format!(
-            "name = \"{name}\"\npreset = \"{preset}\"\nprecision = \"{precision}\"\nend_time_s = {end}\n\
-             [soil]\nreference_density_kg_per_m3 = 2650.0\nvolume_fraction = 1.0\nbulk_modulus_pa = 0.7e6\n\
+        head::of_case(name, options, dumps)
+            + &format!(
+                "[soil]\nreference_density_kg_per_m3 = 2650.0\nvolume_fraction = 1.0\nbulk_modulus_pa = 0.7e6\n\
              poissons_ratio = 0.3\nfriction_angle_deg = {FRICTION_ANGLE:?}\n\
              dilatancy_angle_deg = {dilatancy:?}\n\
              [[soil.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [{width:?}, {height:?}]\n\
@@ -107,8 +102,8 @@ impl Column {
              [output]\ndump_times_s = [{dumps}]\nhistory_interval_s = 1.0e-3\n\
              fields = [\"velocity\", \"pressure\", \"stress\", \"plastic_strain\", \
              \"equivalent_plastic_strain\"]\n",
-            1.5 * height
-        )
+                1.5 * height
+            )
     }
 
     fn case(&self, options: &ReproduceOptions) -> Result<(Case, Warnings), Failure> {
@@ -184,7 +179,8 @@ fn present(
     beside: Option<&Beside>,
     published: &Published,
 ) -> Result<(), Failure> {
-    let report_head = report::head(case, &finished);
+    let experiment = " Experiment: Bui et al. 2008, aluminium bars, digitised by others.";
+    let report_head = head::of_report("Sand column", "sand", case, &finished, experiment);
     let Finished { mut folder, manifest, .. } = finished;
     let text = std::fs::read_to_string(folder.file("history.csv")?)?;
     let table = Table::parse(&text).map_err(|error| bad_table("history.csv", &error))?;

@@ -1,7 +1,7 @@
 //! What is seen of one constituent, whatever its law.
 
 use crate::solver::Seen;
-use alluvium::case::{Case, Field};
+use alluvium::case::Field;
 use alluvium::material::{Material, Memory};
 use alluvium::mixture::{Phase, WallKind};
 use alluvium::output::{Component, LengthError, Vtp};
@@ -29,52 +29,16 @@ pub fn place<T: Real, const D: usize>(x: Vector<T, D>) -> [f64; 3] {
     core::array::from_fn(|k| if k < D { x[k] } else { 0.0 })
 }
 
-/// Where particles were at the start, by their number.
-pub struct Start {
-    places: Vec<[f64; 3]>,
-    /// Lengths \[m\] after which space repeats itself.
-    periods: [Option<f64>; 3],
-}
-
-impl Start {
-    /// Of a constituent as it is now.
-    pub fn of<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>, case: &Case) -> Self {
-        let mut places = vec![[0.0; 3]; phase.len()];
-        for (id, x) in phase.ids().iter().zip(phase.positions()) {
-            places[*id as usize] = place(*x);
-        }
-        let period = |k: usize| {
-            let tank = case.tank.as_ref().filter(|_| case.periodic.iter().any(|axis| *axis as usize == k))?;
-            Some(tank.high[k] - tank.low[k])
-        };
-        Self { places, periods: core::array::from_fn(period) }
-    }
-
-    /// How far it is from there \[m\]; by less than half a period where space repeats itself.
-    fn displacement(&self, id: u32, now: [f64; 3]) -> [f64; 3] {
-        let start = self.places[id as usize];
-        core::array::from_fn(|k| {
-            let away = now[k] - start[k];
-            self.periods[k].map_or(away, |period| away - period * (away / period).round())
-        })
-    }
-
-    /// The particles as a picture needs them.
-    pub fn seen<T: Real, const D: usize, M: Material<T>>(&self, phase: &Phase<T, D, M>) -> Vec<Seen> {
-        let strain = Column::of::<T, M>(Field::EquivalentPlasticStrain);
-        let seen = |i: usize| {
-            let (id, now) = (phase.ids()[i], place(phase.positions()[i]));
-            Seen {
-                id,
-                place: now,
-                displacement: self.displacement(id, now),
-                pressure: phase.pressures()[i].as_f64(),
-                speed: phase.velocities()[i].norm().as_f64(),
-                equivalent_plastic_strain: strain.map_or(0.0, |column| column.numbers(phase, i)[0]),
-            }
-        };
-        inner(phase).map(seen).collect()
-    }
+/// The particles as a picture needs them.
+pub fn seen<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>) -> Vec<Seen> {
+    let strain = Column::of::<T, M>(Field::EquivalentPlasticStrain);
+    let seen = |i: usize| Seen {
+        place: place(phase.positions()[i]),
+        pressure: phase.pressures()[i].as_f64(),
+        speed: phase.velocities()[i].norm().as_f64(),
+        equivalent_plastic_strain: strain.map_or(0.0, |column| column.numbers(phase, i)[0]),
+    };
+    inner(phase).map(seen).collect()
 }
 
 /// Where a field is among the numbers a law shows of its memory.

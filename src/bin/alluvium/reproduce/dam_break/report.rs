@@ -2,33 +2,12 @@
 
 use super::{Results, Watch};
 use crate::reproduce::bars::Bars;
-use crate::run::Finished;
-use alluvium::case::{Case, StepSize};
+use alluvium::case::Case;
 
 /// Fronts at these times lie in these intervals in every computation that was compared.
 const EXPECTED: [(f64, f64, f64); 3] = [(1.5, 1.98, 2.08), (2.0, 2.56, 2.70), (2.5, 3.20, 3.38)];
 /// Between these times the front is compared with published data.
 const COMPARED: (f64, f64) = (1.0, 2.9);
-
-/// What was run.
-pub fn head(case: &Case, finished: &Finished) -> String {
-    let (water, walls) = finished.particles;
-    let step = match case.time.step {
-        StepSize::Courant(courant) => format!("Courant number {courant}"),
-        StepSize::Fixed(step) => format!("fixed step {step:e} s"),
-    };
-    let rate = (water + walls) as f64 * finished.steps as f64 / finished.wall_clock.max(1e-9) / 1e6;
-    format!(
-        "# Dam break\n\nPreset `{}`, Δx = {} m, {}, {step}: {water} particles of water and {walls} of walls, \
-         {} steps to {} s in {:.0} s ({rate:.1} M particle-steps/s).\n\n",
-        case.preset,
-        case.particles.spacing,
-        case.precision,
-        finished.steps,
-        case.end_time,
-        finished.wall_clock
-    )
-}
 
 /// One line per bar.
 pub fn bars(case: &Case, results: &Results, watch: &Watch<'_>) -> String {

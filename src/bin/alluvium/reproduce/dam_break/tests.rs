@@ -1,7 +1,7 @@
 //! The case is the paper's, and what is drawn and told of a run.
 
 use super::*;
-use crate::arguments::{Existing, OutputOptions};
+use crate::arguments::{Existing, OutputOptions, PrecisionName, PresetName};
 use crate::run::run_with;
 use crate::stand_in::{self, StandIn};
 use alluvium::case::StepSize;
@@ -27,7 +27,8 @@ fn the_case_is_the_papers() {
         assert_eq!(case(2.0 * SPACING).water_particles(), 3_200);
         if preset == PresetName::Paper {
             assert_eq!(full.time.step, StepSize::Fixed(1e-5));
-            assert_eq!(case(2.0 * SPACING).time.step, StepSize::Fixed(2e-5));
+            assert_eq!(case(2.0 * SPACING).time.step, StepSize::Fixed(1e-5));
+            assert_eq!(case(0.5 * SPACING).time.step, StepSize::Fixed(5e-6));
         }
     }
 }

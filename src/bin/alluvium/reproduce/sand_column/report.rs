@@ -3,31 +3,8 @@
 use super::{Beside, Published, Run};
 use crate::reproduce::bars::Bars;
 use crate::reproduce::ledger::Ledger;
-use crate::run::Finished;
-use alluvium::case::{Case, StepSize};
 use alluvium::verify::sand_column::{COMPARED, FailureLine, WIDTH, run_out};
 use core::fmt::Write;
-
-/// What was run.
-pub fn head(case: &Case, finished: &Finished) -> String {
-    let (soil, walls) = finished.particles;
-    let step = match case.time.step {
-        StepSize::Courant(courant) => format!("Courant number {courant}"),
-        StepSize::Fixed(step) => format!("fixed step {step:e} s"),
-    };
-    let rate = (soil + walls) as f64 * finished.steps as f64 / finished.wall_clock.max(1e-9) / 1e6;
-    format!(
-        "# Sand column\n\nPreset `{}`, Δx = {} m, {}, {step}: {soil} particles of sand and {walls} of walls, \
-         {} steps to {} s in {:.0} s ({rate:.1} M particle-steps/s). Experiment: Bui et al. 2008, aluminium \
-         bars, digitised by others.\n\n",
-        case.preset,
-        case.particles.spacing,
-        case.precision,
-        finished.steps,
-        case.end_time,
-        finished.wall_clock
-    )
-}
 
 /// One line per bar.
 pub fn bars(run: &Run, ledger: &Ledger, published: &Published) -> String {

@@ -1,7 +1,7 @@
 //! How far columns of other shapes run, over the laws of other experiments.
 
-use super::{Column, FRICTION_ANGLE, Watch};
-use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
+use super::{Column, FRICTION_ANGLE, Watch, dilatancy};
+use crate::arguments::{OutputOptions, ReproduceOptions};
 use crate::folder::RunFolder;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
@@ -66,10 +66,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
 }
 
 fn column(ratio: f64, dumps: &'static str, spacing: f64, options: &ReproduceOptions) -> Column {
-    let dilatancy = match options.preset {
-        PresetName::Default => 0.0,
-        PresetName::Paper => FRICTION_ANGLE,
-    };
+    let dilatancy = dilatancy(options.preset);
     let floor = WIDTH * (2.0 + 4.5 * ratio).ceil();
     Column { name: "column", width: WIDTH, height: ratio * WIDTH, floor, spacing, dilatancy, dumps }
 }

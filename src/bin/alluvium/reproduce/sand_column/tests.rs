@@ -1,7 +1,7 @@
 //! The case is the paper's, and what is drawn and told of a run.
 
 use super::*;
-use crate::arguments::Existing;
+use crate::arguments::{Existing, PrecisionName};
 use crate::run::run_with;
 use crate::stand_in::{self, StandIn};
 use alluvium::verify::sand_column::Grain;
