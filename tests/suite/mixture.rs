@@ -3,8 +3,8 @@
 
 use crate::fingerprint::hash;
 use alluvium::kernel::WendlandC2;
-use alluvium::material::{Conductivity, Darcy, Elasticity, Soil, Unyielding, Water};
-use alluvium::mixture::{Mixture, Phase};
+use alluvium::material::{Conductivity, Darcy, DragLaw, Elasticity, Soil, Unyielding, Water};
+use alluvium::mixture::{Mixture, Phase, StepError};
 use alluvium::neighbours::{BruteForce, Periodic};
 use alluvium::parallel::Threads;
 use alluvium::simulation::Simulation;
@@ -92,4 +92,21 @@ fn explicit_drag_limits_the_step_and_says_so() {
     assert_eq!(stiff.step().unwrap().limit, Limit::Drag);
     let mut soft = run(saturated::<f64, 2>(1.0));
     assert_eq!(soft.step().unwrap().limit, Limit::Acoustic);
+}
+
+#[test]
+fn a_drag_that_is_not_a_number_is_named() {
+    #[derive(Debug)]
+    struct NoNumber;
+    impl DragLaw<f64> for NoNumber {
+        fn coefficient(&self, _: f64, _: f64) -> f64 {
+            f64::NAN
+        }
+    }
+    match run(saturated::<f64, 2>(0.05).with_drag(NoNumber)).step().unwrap_err() {
+        StepError::NotFinite { field, term, .. } => {
+            assert_eq!((field, term), ("acceleration", "coupling (55)"));
+        }
+        other => panic!("{other}"),
+    }
 }
