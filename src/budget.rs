@@ -22,6 +22,10 @@ pub enum Account {
     WallExtrapolation,
     /// Body forces without potential.
     External,
+    /// What came in: gives its energy.
+    Inflow,
+    /// What left: takes its energy.
+    Outflow,
     /// Drag between soil and water (37).
     Drag,
     /// Relaxation of the density to the volume sum.
@@ -40,7 +44,7 @@ pub enum Account {
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -48,6 +52,8 @@ impl Account {
         Self::WallWork,
         Self::WallExtrapolation,
         Self::External,
+        Self::Inflow,
+        Self::Outflow,
         Self::Drag,
         Self::Relaxation,
         Self::ArtificialStress,
@@ -67,6 +73,8 @@ impl Account {
             Self::WallWork => "wall_work",
             Self::WallExtrapolation => "wall_extrapolation",
             Self::External => "external",
+            Self::Inflow => "inflow",
+            Self::Outflow => "outflow",
             Self::Drag => "drag",
             Self::Relaxation => "relaxation",
             Self::ArtificialStress => "artificial_stress",
@@ -139,11 +147,13 @@ pub struct Exchange<const D: usize> {
     pub taken: Works,
     /// Momentum given by gravity, body forces and walls \[kg m/s\], or force \[N\].
     pub impulse: Vector<f64, D>,
+    /// Mass that came in, less what left \[kg\], or per time \[kg/s\].
+    pub entered: f64,
 }
 
 impl<const D: usize> Default for Exchange<D> {
     fn default() -> Self {
-        Self { taken: Works::default(), impulse: Vector::zero() }
+        Self { taken: Works::default(), impulse: Vector::zero(), entered: 0.0 }
     }
 }
 
@@ -152,6 +162,7 @@ impl<const D: usize> Add for Exchange<D> {
     fn add(mut self, other: Self) -> Self {
         self.taken = self.taken + other.taken;
         self.impulse += other.impulse;
+        self.entered += other.entered;
         self
     }
 }
@@ -159,7 +170,7 @@ impl<const D: usize> Add for Exchange<D> {
 impl<const D: usize> Mul<f64> for Exchange<D> {
     type Output = Self;
     fn mul(self, factor: f64) -> Self {
-        Self { taken: self.taken * factor, impulse: self.impulse * factor }
+        Self { taken: self.taken * factor, impulse: self.impulse * factor, entered: self.entered * factor }
     }
 }
 
@@ -184,11 +195,31 @@ pub struct Budget<const D: usize> {
     pub elastic: f64,
     /// What each account has taken since the start \[J\]; negative if it gave.
     pub taken: Works,
-    /// Momentum that gravity, body forces and walls have given since the start \[kg m/s\].
+    /// Momentum that gravity, body forces and walls have given since the start, and what came in less what
+    /// left \[kg m/s\].
     pub impulse: [f64; D],
+    /// Mass that came in since the start, less what left \[kg\].
+    pub entered: f64,
 }
 
 impl<const D: usize> Budget<D> {
+    /// Of nothing, at this time \[s\].
+    pub(crate) fn empty(time: f64) -> Self {
+        Self {
+            time,
+            mass: 0.0,
+            momentum: [0.0; D],
+            angular_momentum: [0.0; 3],
+            kinetic: 0.0,
+            potential: 0.0,
+            compressive: 0.0,
+            elastic: 0.0,
+            taken: Works::default(),
+            impulse: [0.0; D],
+            entered: 0.0,
+        }
+    }
+
     /// Kinetic, potential and stored energy \[J\].
     pub fn energy(&self) -> f64 {
         self.kinetic + self.potential + self.compressive + self.elastic
@@ -197,6 +228,11 @@ impl<const D: usize> Budget<D> {
     /// Energy that no account explains, since `start` \[J\]; zero up to the time integration's error.
     pub fn closure(&self, start: &Self) -> f64 {
         self.energy() + self.taken.total() - start.energy() - start.taken.total()
+    }
+
+    /// Mass that came from nowhere since `start` \[kg\]; zero up to rounding.
+    pub fn mass_closure(&self, start: &Self) -> f64 {
+        self.mass - self.entered - (start.mass - start.entered)
     }
 
     /// Momentum that no force explains, since `start` \[kg m/s\]; zero up to rounding.

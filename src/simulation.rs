@@ -118,6 +118,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>, I
         }
         self.integrator.step(&mut self.mixture, dt)?;
         self.steps += 1;
+        if self.mixture.open()? {
+            self.integrator.disturbed();
+        }
         let is_due = |every: usize| every > 0 && self.steps.is_multiple_of(every as u64);
         if is_due(self.reinitialise_every) {
             self.mixture.reinitialise_density();

@@ -61,7 +61,7 @@ pub(super) fn defaults(preset: Preset) -> Defaults {
         soil: soil_defaults(preset),
         walls: match preset.wall::<f64, 2>().kind() {
             mixture::WallKind::Dynamic => WallKind::Dynamic,
-            mixture::WallKind::Extrapolated { .. } => WallKind::Extrapolated,
+            mixture::WallKind::Extrapolated { .. } | mixture::WallKind::Given => WallKind::Extrapolated,
         },
         integrator: IntegratorChoice::LeapFrog,
         courant: preset.courant(),

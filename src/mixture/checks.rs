@@ -70,6 +70,13 @@ pub enum StepError {
         /// How far apart they have to be at least \[m\].
         allowed: f64,
     },
+    /// A particle has left the domain, and not through an outlet.
+    Escaped {
+        /// Which.
+        culprit: Culprit,
+        /// Lowest and highest corner of the domain \[m\].
+        domain: [Vec<f64>; 2],
+    },
     /// A fixed step that no Courant number allows.
     StepTooLong {
         /// The step \[s\].
@@ -96,6 +103,9 @@ impl fmt::Display for StepError {
                 f,
                 "{culprit} overlaps particle {other}: they are {distance:.3e} m apart, at least {allowed:.3e} m is allowed"
             ),
+            Self::Escaped { culprit, domain: [low, high] } => {
+                write!(f, "{culprit} has left the domain from {low:?} to {high:?} m, and through no outlet")
+            }
             Self::StepTooLong { step, allowed, limit, time } => write!(
                 f,
                 "time step {step:.3e} s at t = {time:.6e} s is too long: the {limit} limit allows at most {allowed:.3e} s"
@@ -299,7 +309,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
     }
 
-    fn culprit<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>, i: usize) -> Culprit {
+    pub(super) fn culprit<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>, i: usize) -> Culprit {
         let phase = &self.phase;
         Culprit {
             kind: match (self.role, i < phase.wall_particles()) {

@@ -68,7 +68,6 @@ pub(super) struct Coupled<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Exchange<K, D> {
     const BLOCKS: usize = (2 * D + 6).div_ceil(4);
     const SUMS: usize = 2 * D + sum::COUNT;
-    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Coupled<N, D>;
 
     #[inline(always)]
@@ -171,8 +170,8 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let (pores, drag) = (&self.pores, &*self.drag);
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
-            record[D] = soil.matter(i);
-            record[D + 1] = soil.volume(i);
+            record[D] = soil.grains(i);
+            record[D + 1] = if soil.is_apart(i) { T::ZERO } else { soil.volume(i) };
             record[D + 2] = pores.pressure[i];
             record[D + 3] = pores.compression[i];
             record[D + 4] = T::ZERO;
@@ -194,7 +193,10 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     fn push_soil<S: Material<T>>(&mut self, soil: &mut Constituent<T, D, S>) {
         let mut fastest = T::ZERO;
         for i in 0..soil.phase.len() {
-            let grains = soil.phase.matter(i);
+            if soil.phase.is_apart(i) {
+                continue;
+            }
+            let grains = soil.phase.grains(i);
             let (push, rate) = push(&self.sums, i, grains / soil.phase.mass[i], soil.phase.density(i));
             soil.phase.rate.acceleration[i] += push;
             fastest = fastest.max(rate);

@@ -104,7 +104,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for StressExtrapol
 
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     pub(super) fn has_extrapolated_walls(&self) -> bool {
-        self.phase.walls().iter().any(|wall| wall.kind() != WallKind::Dynamic)
+        self.phase.walls().iter().any(|wall| matches!(wall.kind(), WallKind::Extrapolated { .. }))
     }
 
     /// Pressure and velocity of extrapolated walls (Adami et al. 2012):
@@ -202,7 +202,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 WallKind::Extrapolated { slip: Slip::NoSlip, .. } => {
                     self.phase.deviator[i] = self.stress_beside_wall(i);
                 }
-                WallKind::Extrapolated { .. } => self.phase.deviator[i] = SymTensor::zero(),
+                WallKind::Extrapolated { .. } | WallKind::Given => self.phase.deviator[i] = SymTensor::zero(),
             }
         }
     }

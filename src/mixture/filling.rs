@@ -66,7 +66,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             }
         }
         self.placed = true;
-        let first_id = self.len() as u32;
+        let first_id = self.next_id;
+        self.next_id += positions.len() as u32;
         let excess = |x: &Vector<T, D>| self.material.compression(pressure(x));
         let reference = self.material.reference_density();
         let new_excess: Vec<T> = positions.iter().map(excess).collect(); // (74)

@@ -176,25 +176,25 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         parallel::reduce(
             phase.len(),
             0.0,
-            |range| {
-                let own = range.filter(|&i| phase.is_evolving(i));
-                own.map(|i| {
-                    let stored = phase.material().stored_energy(phase.compression(i), &phase.now.memory[i]);
-                    phase.mass[i].as_f64() * stored
-                })
-                .sum()
-            },
+            |range| range.filter(|&i| phase.is_evolving(i)).map(|i| self.stored_by(i, Moment::Now)).sum(),
             |a, b| a + b,
         )
     }
 
-    /// Adds mass, momentum, kinetic and potential energy of the particles that are no wall's.
-    fn add_to<K: Kernel<T, D>>(&self, budget: &mut Budget<D>, setting: &Setting<T, D, K>) {
+    /// Adds mass, momentum, kinetic and potential energy of the particles.
+    fn add_to<K: Kernel<T, D>>(
+        &self,
+        budget: &mut Budget<D>,
+        setting: &Setting<T, D, K>,
+        particles: impl Iterator<Item = usize>,
+        moment: Moment,
+    ) {
         let phase = &self.phase;
+        let velocity = &phase.fields(moment).velocity;
         let gravity = setting.gravity.as_f64();
-        for i in phase.wall_particles()..phase.len() {
+        for i in particles {
             let mass = phase.mass[i].as_f64();
-            let (x, v) = (phase.position[i].as_f64(), phase.now.velocity[i].as_f64());
+            let (x, v) = (phase.position[i].as_f64(), velocity[i].as_f64());
             budget.mass += mass;
             for k in 0..D {
                 budget.momentum[k] += mass * v[k];
@@ -213,24 +213,48 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     }
 }
 
+impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
+    /// What these particles, no wall's, bring if they come in now, with the fields of this moment; booked in
+    /// `account`.
+    pub(super) fn brought<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+        particles: &[usize],
+        account: Account,
+        moment: Moment,
+    ) -> Exchange<D> {
+        let mut budget = Budget::empty(setting.time);
+        self.add_to(&mut budget, setting, particles.iter().copied(), moment);
+        let stored: f64 = particles.iter().map(|&i| self.stored_by(i, moment)).sum();
+        let mut brought = Exchange { impulse: Vector(budget.momentum), ..Exchange::default() };
+        brought.entered = budget.mass;
+        brought.taken[account] = -(budget.energy() + stored);
+        brought
+    }
+
+    /// Energy \[J\] particle `i` stores.
+    fn stored_by(&self, i: usize, moment: Moment) -> f64 {
+        let phase = &self.phase;
+        let memory = &phase.fields(moment).memory[i];
+        phase.mass[i].as_f64() * phase.material().stored_energy(phase.compression_at(i, moment), memory)
+    }
+}
+
 impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
     /// Mass, momentum and energy now, and what has been taken so far.
     pub fn budget(&self) -> Budget<D> {
         let exchanged = &self.exchanged[Moment::Now as usize];
         let mut budget = Budget {
-            time: self.setting.time,
-            mass: 0.0,
-            momentum: [0.0; D],
-            angular_momentum: [0.0; 3],
-            kinetic: 0.0,
-            potential: 0.0,
             compressive: self.water.stored_energy(),
             elastic: self.soil.stored_energy(),
             taken: exchanged.taken,
             impulse: exchanged.impulse.0,
+            entered: exchanged.entered,
+            ..Budget::empty(self.setting.time)
         };
-        self.soil.add_to(&mut budget, &self.setting);
-        self.water.add_to(&mut budget, &self.setting);
+        let (soil, water) = (&self.soil.phase, &self.water.phase);
+        self.soil.add_to(&mut budget, &self.setting, soil.wall_particles()..soil.len(), Moment::Now);
+        self.water.add_to(&mut budget, &self.setting, water.wall_particles()..water.len(), Moment::Now);
         budget
     }
 }

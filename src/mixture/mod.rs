@@ -16,6 +16,7 @@ mod filling;
 mod ledger;
 mod momentum;
 mod numerics;
+mod opening;
 mod own_pairs;
 mod phase;
 mod pore;

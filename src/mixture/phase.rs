@@ -1,5 +1,6 @@
 //! One constituent: its law and every per-particle array.
 
+use super::opening::Inflow;
 use super::wall::{Slip, Wall, WallKind};
 use crate::material::{Material, Memory};
 use crate::parallel::{self, CHUNK};
@@ -73,6 +74,9 @@ pub struct Phase<T: Real, const D: usize, M: Material<T>> {
     pub(super) material: M,
     pub(super) walls: Vec<Wall<T, D>>,
     pub(super) wall_particles: usize,
+    pub(super) inflows: Vec<Inflow<T, D>>,
+    /// The number the next particle gets.
+    pub(super) next_id: u32,
     pub(crate) id: Vec<u32>,
     /// Which wall a wall particle belongs to; unused for others.
     pub(crate) body: Vec<u16>,
@@ -101,6 +105,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             material,
             walls: Vec::new(),
             wall_particles: 0,
+            inflows: Vec::new(),
+            next_id: 0,
             id: Vec::new(),
             body: Vec::new(),
             position: Vec::new(),
@@ -263,6 +269,15 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         if M::RIGID_GRAINS { T::ZERO } else { self.now.excess[i] / self.volume_fraction[i] }
     }
 
+    /// The same at either instant.
+    pub(super) fn compression_at(&self, i: usize, moment: Moment) -> T {
+        match (moment, &self.evolving_fraction) {
+            _ if M::RIGID_GRAINS => T::ZERO,
+            (Moment::Half, Some(fraction)) => self.half.excess[i] / fraction.half[i],
+            _ => self.fields(moment).excess[i] / self.volume_fraction[i],
+        }
+    }
+
     /// Partial density ρ \[kg/m³\] of particle `i`.
     #[inline(always)]
     pub fn density(&self, i: usize) -> T {
@@ -285,6 +300,18 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     #[inline(always)]
     pub(crate) fn matter(&self, i: usize) -> T {
         self.mass[i] / self.material.reference_density()
+    }
+
+    /// Whether particle `i` is of a wall of soil that takes no space from the water.
+    #[inline(always)]
+    pub(super) fn is_apart(&self, i: usize) -> bool {
+        i < self.wall_particles && self.walls[usize::from(self.body[i])].is_apart()
+    }
+
+    /// Space \[m³, in 2D m²\] that particle `i` of soil takes from the water, w = Vφ.
+    #[inline(always)]
+    pub(super) fn grains(&self, i: usize) -> T {
+        if self.is_apart(i) { T::ZERO } else { self.matter(i) }
     }
 
     /// Changes the excess of particle `i` at both instants, keeping its mass.
@@ -318,8 +345,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         }
     }
 
-    /// Puts all arrays into another order: particle `order[k]` comes to place `k`.
+    /// Puts all arrays into another order: particle `order[k]` comes to place `k`. Who is not in the order,
+    /// and no wall's, is gone.
     pub(crate) fn permute(&mut self, order: &[u32]) {
+        if self.deviator.len() == self.position.len() {
+            permute(&mut self.deviator, order);
+        }
         permute(&mut self.id, order);
         permute(&mut self.body, order);
         permute(&mut self.position, order);
@@ -333,9 +364,6 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         permute(&mut self.rate.acceleration, order);
         permute(&mut self.rate.excess, order);
         permute(&mut self.rate.memory, order);
-        if self.deviator.len() == order.len() {
-            permute(&mut self.deviator, order);
-        }
         permute(&mut self.wall_acceleration, &order[..self.wall_particles]);
         for fields in [&mut self.now, &mut self.half] {
             permute(&mut fields.velocity, order);
@@ -361,8 +389,10 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
 }
 
 fn permute<X: Copy + Send + Sync>(array: &mut Vec<X>, order: &[u32]) {
-    if size_of::<X>() > 0 {
-        let mut sorted = array.clone();
+    if size_of::<X>() == 0 {
+        array.truncate(order.len());
+    } else {
+        let mut sorted = array[..order.len()].to_vec();
         parallel::for_each_part(&mut sorted, 1, CHUNK, &|first, part: &mut [X]| {
             for (x, &i) in part.iter_mut().zip(&order[first..]) {
                 *x = array[i as usize];

@@ -33,7 +33,6 @@ pub(super) struct Seen<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Pore<K, D> {
     const BLOCKS: usize = (2 * D + 2).div_ceil(4);
     const SUMS: usize = 3;
-    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Seen<N, D>;
 
     #[inline(always)]
@@ -87,7 +86,7 @@ impl<T: Real> Pores<T> {
     ) {
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
-            record[D] = soil.matter(i);
+            record[D] = soil.grains(i);
         };
         let of_water = |a: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&water.now.velocity[a].0);

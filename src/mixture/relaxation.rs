@@ -90,7 +90,6 @@ pub(super) struct Flagged<N: Copy, const D: usize> {
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for NearFlag<K, D> {
     const BLOCKS: usize = 1;
     const SUMS: usize = 1;
-    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Flagged<N, D>;
 
     #[inline(always)]

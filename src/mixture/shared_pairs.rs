@@ -31,7 +31,6 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
 {
     const BLOCKS: usize = record_length(D, STRESS).div_ceil(4);
     const SUMS: usize = 2 * D + sum::COUNT + shared::COUNT;
-    const SELDOM: bool = true;
     type At<N: Num<Scalar = T>> = Own<N, D>;
 
     #[inline(always)]

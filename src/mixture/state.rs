@@ -33,6 +33,13 @@ pub(crate) struct PhaseState<T: Real, const D: usize, M> {
     half: Fields<T, D, M>,
     rate: Rates<T, D, M>,
     wall_acceleration: Vec<Vector<T, D>>,
+    next_id: u32,
+}
+
+impl<T: Real, const D: usize, M> PhaseState<T, D, M> {
+    fn len(&self) -> usize {
+        self.position.len()
+    }
 }
 
 /// The state of a constituent between two steps.
@@ -96,12 +103,14 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             half: self.half.clone(),
             rate: self.rate.clone(),
             wall_acceleration: self.wall_acceleration.clone(),
+            next_id: self.next_id,
         }
     }
 
-    /// Whether `state` is of as many particles and walls, else what is wrong with it.
-    fn fits(&self, state: &PhaseState<T, D, M::Memory>) -> Result<(), ParameterError> {
-        let count = self.len();
+    /// Whether `state` is of as many particles and walls, unless some may come or go, else what is wrong with
+    /// it.
+    fn fits(&self, state: &PhaseState<T, D, M::Memory>, is_open: bool) -> Result<(), ParameterError> {
+        let count = if is_open { state.len() } else { self.len() };
         let lengths = [
             state.id.len(),
             state.body.len(),
@@ -116,7 +125,8 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             state.rate.len(),
         ];
         let walls = self.walls().len();
-        let known = state.body.iter().take(self.wall_particles()).all(|&body| usize::from(body) < walls);
+        let known = self.wall_particles() <= count
+            && state.body.iter().take(self.wall_particles()).all(|&body| usize::from(body) < walls);
         if let Some(other) = lengths.into_iter().find(|&n| n != count) {
             return Err(ParameterError::new("particles in the state", other, "as many as in this mixture"));
         }
@@ -144,6 +154,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.half = state.half;
         self.rate = state.rate;
         self.wall_acceleration = state.wall_acceleration;
+        self.next_id = state.next_id;
         self.placed = false;
     }
 }
@@ -158,20 +169,23 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
     }
 
-    /// Whether `state` is of as many particles and walls, else what is wrong with it.
-    fn fits(&self, state: &ConstituentState<T, D, M::Memory>) -> Result<(), ParameterError> {
+    /// Whether `state` is of as many particles and walls, unless some may come or go, else what is wrong with
+    /// it.
+    fn fits(&self, state: &ConstituentState<T, D, M::Memory>, is_open: bool) -> Result<(), ParameterError> {
         let listed = state.listed.len();
-        if listed != 0 && listed != self.phase.len() {
-            let allowed = "as many as in this mixture";
+        if listed != 0 && listed != state.phase.len() {
+            let allowed = "none, or as many as there are particles";
             return Err(ParameterError::new("listed particles in the state", listed, allowed));
         }
-        self.phase.fits(&state.phase)
+        self.phase.fits(&state.phase, is_open || self.phase.has_inflows())
     }
 
     /// Takes over a state that fits.
     fn restore(&mut self, state: ConstituentState<T, D, M::Memory>) {
         self.phase.restore(state.phase);
-        if !state.listed.is_empty() {
+        if state.listed.is_empty() {
+            self.neighbourhood.forget();
+        } else {
             self.neighbourhood.rebuild(&state.listed, self.phase.wall_particles());
         }
         self.exchange_rate = state.exchange_rate;
@@ -198,8 +212,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     /// # Errors
     /// The state is of another number of particles or walls; nothing is changed then.
     pub fn restore(&mut self, state: MixtureState<T, D, S::Memory, F::Memory>) -> Result<(), ParameterError> {
-        self.soil.fits(&state.soil)?;
-        self.water.fits(&state.water)?;
+        let is_open = !self.setting.outlets.is_empty();
+        self.soil.fits(&state.soil, is_open)?;
+        self.water.fits(&state.water, is_open)?;
         self.soil.restore(state.soil);
         self.water.restore(state.water);
         self.setting.time = state.time;

@@ -34,6 +34,9 @@ pub enum WallKind {
         /// lets the fluid go, as a free surface flow needs.
         suction: bool,
     },
+    /// Density and velocity are given, as they are of what has not come in yet (see
+    /// [`Phase::add_inflow`](super::Phase::add_inflow)).
+    Given,
 }
 
 type Motion<T, const D: usize> = Arc<dyn Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync>;
@@ -43,6 +46,7 @@ type Motion<T, const D: usize> = Arc<dyn Fn(&Vector<T, D>, f64) -> Vector<T, D> 
 pub struct Wall<T, const D: usize> {
     kind: WallKind,
     motion: Option<Motion<T, D>>,
+    apart: bool,
 }
 
 impl<T, const D: usize> fmt::Debug for Wall<T, D> {
@@ -54,7 +58,7 @@ impl<T, const D: usize> fmt::Debug for Wall<T, D> {
 impl<T: Real, const D: usize> Wall<T, D> {
     /// A fixed wall.
     pub fn new(kind: WallKind) -> Self {
-        Self { kind, motion: None }
+        Self { kind, motion: None, apart: false }
     }
 
     /// The paper's wall: particles that evolve but stay.
@@ -75,6 +79,18 @@ impl<T: Real, const D: usize> Wall<T, D> {
     ) -> Self {
         self.motion = Some(Arc::new(velocity));
         self
+    }
+
+    /// The same wall of soil, which takes no space from the water: where there is no soil beside it. Else
+    /// the soil in a wall goes on as that beside it, and the water there has its share of the space only.
+    pub fn apart(mut self) -> Self {
+        self.apart = true;
+        self
+    }
+
+    /// Whether it takes no space from the water.
+    pub fn is_apart(&self) -> bool {
+        self.apart
     }
 
     /// Its kind.

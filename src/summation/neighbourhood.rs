@@ -34,6 +34,8 @@ pub struct Neighbourhood<T: Real, const D: usize> {
     /// Each coordinate of the dummy.
     far: T,
     rebuilds: u64,
+    /// Whether the particles are others than those listed.
+    forgotten: bool,
 }
 
 impl<T: Real, const D: usize> Neighbourhood<T, D> {
@@ -52,21 +54,27 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
             list: SlicedList::default(),
             far: T::ZERO,
             rebuilds: 0,
+            forgotten: true,
         }
+    }
+
+    /// Forgets the list: particles have come or gone.
+    pub(crate) fn forget(&mut self) {
+        self.forgotten = true;
     }
 
     /// Lists neighbours `skin` \[m\] beyond the support. Wider is rebuilt less often, but has more
     /// pairs to look at; what is not positive and finite means no skin.
     pub fn with_skin(mut self, skin: T) -> Self {
         self.skin = if skin > T::ZERO && skin.is_finite() { skin } else { T::ZERO };
-        self.rebuilds = 0; // a list with another skin serves no more
+        self.forget(); // a list with another skin serves no more
         self
     }
 
     /// Lets space repeat itself.
     pub fn with_periodic(mut self, periodic: Periodic<T, D>) -> Self {
         self.periodic = periodic;
-        self.rebuilds = 0;
+        self.forget();
         self
     }
 
@@ -79,7 +87,7 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
     /// Whether the list no longer serves `positions`: their number is another, or they have moved
     /// so far against each other (or one is not a number) that a pair might be missing.
     pub fn is_stale(&self, positions: &[Vector<T, D>]) -> bool {
-        if self.rebuilds == 0 || positions.len() != self.particles {
+        if self.forgotten || positions.len() != self.particles {
             return true;
         }
         staleness::have_strayed(positions, &self.points, self.skin)
@@ -124,6 +132,7 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self.sort_ghosts(count, wall_ghosts);
         self.particles = count;
         self.rebuilds += 1;
+        self.forgotten = false;
         self.far = far_away(&self.points, self.support);
 
         let reach = self.support + self.skin;
@@ -251,9 +260,9 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
     pub fn particles(&self) -> usize {
         self.particles
     }
-    /// Where the particles were at the last rebuild \[m\].
+    /// Where the particles were at the last rebuild \[m\]; empty if they are others now.
     pub fn reference_positions(&self) -> &[Vector<T, D>] {
-        &self.points[..self.particles]
+        if self.forgotten { &[] } else { &self.points[..self.particles] }
     }
     /// How often the list has been rebuilt.
     pub fn rebuilds(&self) -> u64 {

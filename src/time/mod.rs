@@ -47,4 +47,6 @@ pub trait Integrator<T: Real>: Clone + Debug + Send + 'static {
     /// # Errors
     /// Those of the system's evaluation.
     fn step<S: Evolve<T>>(&mut self, system: &mut S, dt: T) -> Result<(), S::Error>;
+    /// Particles have come or gone since the last step: rates that were kept from it are void.
+    fn disturbed(&mut self) {}
 }

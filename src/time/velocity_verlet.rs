@@ -39,4 +39,8 @@ impl<T: Real> Integrator<T> for VelocityVerlet {
         system.advance(Moment::Now, Moment::Half, half);
         Ok(())
     }
+
+    fn disturbed(&mut self) {
+        self.started = false;
+    }
 }

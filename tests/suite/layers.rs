@@ -12,8 +12,8 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ("driver", &["material"]),
     ("time", &[]),
     ("budget", &["material"]),
+    ("setup", &[]),
     ("mixture", METHOD),
-    ("setup", METHOD),
     ("preset", &["mixture", "kernel", "material", "time"]),
     ("simulation", &["mixture", "kernel", "neighbours", "summation", "material", "time", "budget", "setup"]),
     ("snapshot", DRIVEN),
@@ -21,7 +21,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ("case", DRIVEN),
     ("verify", DRIVEN),
 ];
-const METHOD: &[&str] = &["kernel", "neighbours", "summation", "material", "time", "budget"];
+const METHOD: &[&str] = &["kernel", "neighbours", "summation", "material", "time", "budget", "setup"];
 const DRIVEN: &[&str] = &[
     "kernel",
     "neighbours",

@@ -22,6 +22,7 @@ mod layers;
 mod links;
 mod mixture;
 mod neighbours;
+mod openings;
 mod output;
 mod outside;
 #[cfg(feature = "cli")]
