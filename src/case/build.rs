@@ -1,5 +1,6 @@
 //! From a case to particles and a simulation of them.
 
+mod mixing;
 mod soil;
 mod walls;
 mod water;
@@ -126,6 +127,15 @@ impl Case {
         }
         if let Some(water) = &self.water {
             mixture = water.apply(mixture)?;
+        }
+        if let Some(mixing) = &self.mixing {
+            mixture = mixing.apply(mixture)?;
+        }
+        for outlet in &self.outlets {
+            mixture = mixture.with_outlet(array(&outlet.low), array(&outlet.high))?;
+        }
+        if let Some(domain) = &self.domain {
+            mixture = mixture.with_domain(array(&domain.low), array(&domain.high))?;
         }
         let mixture = mixture
             .with_gravity(vector(&self.gravity))

@@ -1,6 +1,7 @@
 //! What no single key can know: how a case's parts fit together.
 
 mod bodies;
+mod mixing;
 mod soil;
 mod tank;
 
@@ -28,6 +29,7 @@ pub(super) fn check(reader: &Reader<'_>, case: &Case) {
     if let Some(soil) = &case.soil {
         soil::soil(reader, case, soil);
     }
+    mixing::mixing(reader, case);
     fixed_step(reader, case);
     dumps(reader, case);
     fields(reader, case);
@@ -49,8 +51,12 @@ fn particles(reader: &Reader<'_>, case: &Case) {
     };
     let count: f64 = case.boxes().iter().map(cells).sum();
     if count > MOST_PARTICLES {
-        let what = if case.soil.is_some() { "soil" } else { "water" };
-        let why = format!("makes {count:.1e} {what} particles");
+        let what = match (&case.soil, &case.water) {
+            (Some(_), Some(_)) => "",
+            (Some(_), None) => "soil ",
+            _ => "water ",
+        };
+        let why = format!("makes {count:.1e} {what}particles");
         reader.error("particles.spacing_m", &why, format!("at most {MOST_PARTICLES:e} particles"));
     }
 }

@@ -1,6 +1,7 @@
 //! Words a case file may choose from.
 
 use crate::material::{Cone, Plasticity};
+use crate::mixture::CouplingForm;
 use crate::preset::Preset;
 
 /// An enumeration whose variants are words in a case file.
@@ -52,6 +53,16 @@ impl Choice for Cone {
     }
 }
 
+impl Choice for CouplingForm {
+    const ALL: &'static [Self] = &[Self::PressureDifference, Self::Printed];
+    fn word(self) -> &'static str {
+        match self {
+            Self::PressureDifference => "pressure-difference",
+            Self::Printed => "printed",
+        }
+    }
+}
+
 impl Choice for Plasticity {
     const ALL: &'static [Self] = &[Self::ReturnMapping, Self::Rate];
     fn word(self) -> &'static str {
@@ -84,6 +95,15 @@ choice! {
         CubicSpline = "cubic-spline",
         /// Quintic B-spline.
         QuinticSpline = "quintic-spline",
+    }
+}
+choice! {
+    /// How soil and water drag each other.
+    DragKind {
+        /// Not at all.
+        None = "none",
+        /// By Darcy's law (37).
+        Darcy = "darcy",
     }
 }
 choice! {

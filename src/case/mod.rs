@@ -34,12 +34,12 @@ pub use crate::mixture::Slip;
 pub use crate::preset::Preset;
 pub use build::{BuildError, CaseSimulation, SoilLaw};
 pub use choice::{
-    Axis, Choice, DiffusionKind, Field, InitialPressure, InitialStress, IntegratorChoice, KernelChoice,
-    Precision, Quantity, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
+    Axis, Choice, DiffusionKind, DragKind, Field, InitialPressure, InitialStress, IntegratorChoice,
+    KernelChoice, Precision, Quantity, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
 };
 pub use model::{
-    Block, Case, Dumps, Frictional, Gauge, MovingWall, Neighbours, Output, Particles, Shape, Soil, SoilBody,
-    StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
+    Block, Case, Drag, Dumps, Frictional, Gauge, Inflow, Mixing, MovingWall, Neighbours, Output, Particles,
+    Region, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
 };
 pub use problem::{CaseError, Problem, Warnings};
 

@@ -1,7 +1,9 @@
 //! What a case says, with every default resolved. SI units throughout.
 
+mod mixing;
 mod soil;
 
+pub use mixing::{Drag, Inflow, Mixing, Region};
 pub use soil::{Frictional, Shape, Soil, SoilBody, Stiffness, Strength};
 pub(super) use soil::{ROUNDING, upright};
 
@@ -12,7 +14,7 @@ use super::choice::{
 use crate::mixture::Slip;
 use crate::preset::Preset;
 
-/// A case of soil or of water, complete: nothing in it is left to a default.
+/// A case of soil, of water or of both, complete: nothing in it is left to a default.
 ///
 /// Coordinates are lists of [`Case::dimension`] numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,10 +37,16 @@ pub struct Case {
     pub soil: Option<Soil>,
     /// The water, if there is any.
     pub water: Option<Water>,
+    /// What is between the two, if there are both.
+    pub mixing: Option<Mixing>,
     /// The particles they are made of.
     pub particles: Particles,
     /// The tank around it, if there is one.
     pub tank: Option<Tank>,
+    /// Boxes in which particles leave.
+    pub outlets: Vec<Region>,
+    /// The box a particle must not leave otherwise, if there is one.
+    pub domain: Option<Region>,
     /// Directions in which the tank repeats instead of having walls.
     pub periodic: Vec<Axis>,
     /// Steps in time.
@@ -74,6 +82,8 @@ pub struct Water {
     pub reinitialisation_every: u64,
     /// Where the water is at the start.
     pub blocks: Vec<Block>,
+    /// Where water comes in.
+    pub inflows: Vec<Inflow>,
 }
 
 /// A box of water at the start.
@@ -115,6 +125,10 @@ pub struct Tank {
     pub walls: Walls,
     /// Layers of wall particles.
     pub layers: u64,
+    /// What water does along extrapolated walls, where there is soil too.
+    pub water_slip: Option<Slip>,
+    /// Boxes inside the tank whose sides are walls, inwards.
+    pub obstacles: Vec<Region>,
     /// Walls that move.
     pub moving: Vec<MovingWall>,
 }

@@ -1,5 +1,6 @@
 //! A case file's tables, one function each.
 
+mod mixing;
 mod soil;
 mod tank;
 mod water;
@@ -34,10 +35,14 @@ pub(super) fn case(reader: &Reader<'_>, root: &Section<'_, '_>) -> Case {
         .numbers("gravity_m_per_s2", Some(dimension), from_to(-1e6, 1e6, "m/s²"))
         .unwrap_or_else(|| up[..dimension].to_vec());
     let end_time = root.required_number("end_time_s", positive(1e9, "s"));
-    let particles = context.particles(&root.section("particles"));
-    let (soil, water) = (root.section("soil"), root.section("water"));
-    context.constituents(root, &soil, &water);
-    let tank = context.tank(&root.section("tank"), &particles, soil.is_given());
+    let (soil_section, water) = (root.section("soil"), root.section("water"));
+    context.constituents(root);
+    let soil = soil_section.is_given().then(|| context.soil(&soil_section, &gravity));
+    let shared = soil.as_ref().filter(|_| water.is_given()).map(|soil| soil.volume_fraction);
+    let particles = context.particles(&root.section("particles"), shared);
+    let tank = context.tank(&root.section("tank"), &particles, soil.is_some(), shared.is_some());
+    let water = water.is_given().then(|| context.water(&water, &gravity, tank.as_ref()));
+    let mixing = root.section("mixture");
     let periodic = root.section("periodic");
     let case = Case {
         name: context.file_name(root, "name"),
@@ -46,15 +51,18 @@ pub(super) fn case(reader: &Reader<'_>, root: &Section<'_, '_>) -> Case {
         precision: root.choice("precision").unwrap_or(Precision::F64),
         threads: root.count("threads", 0..=4096).unwrap_or(0) as usize,
         end_time,
-        soil: soil.is_given().then(|| context.soil(&soil, &gravity)),
-        water: water.is_given().then(|| context.water(&water, &gravity, tank.as_ref())),
+        mixing: context.mixing(&mixing, &particles, soil.is_some(), water.as_ref()),
+        output: context.output(&root.section("output"), end_time, soil.is_some()),
+        soil,
+        water,
         gravity,
         particles,
         tank,
+        outlets: root.sections("outlet").iter().map(|outlet| context.whole_region(outlet)).collect(),
+        domain: context.domain(&root.section("domain")),
         periodic: periodic.choices("axes").unwrap_or_default(),
         time: context.time(&root.section("time")),
         neighbours: context.neighbours(&root.section("neighbours")),
-        output: context.output(&root.section("output"), end_time, soil.is_given()),
         gauges: root.sections("gauge").iter().map(|gauge| context.gauge(gauge)).collect(),
     };
     periodic.finish();
@@ -63,12 +71,8 @@ pub(super) fn case(reader: &Reader<'_>, root: &Section<'_, '_>) -> Case {
 }
 
 impl Context<'_, '_> {
-    /// There is soil or water, and not yet both.
-    fn constituents(&self, root: &Section<'_, '_>, soil: &Section<'_, '_>, water: &Section<'_, '_>) {
-        if soil.is_given() && water.is_given() {
-            let why = "stands beside [water]: the coupling of the two is to come to case files";
-            self.reader.error("soil", why, "[soil] or [water], not yet both");
-        }
+    /// There is soil, water or both.
+    fn constituents(&self, root: &Section<'_, '_>) {
         let given = |key| self.reader.given(&root.name(key));
         if !given("soil") && !given("water") {
             let allowed = "[soil] with its blocks, or [water] with its blocks".to_owned();
@@ -86,16 +90,25 @@ impl Context<'_, '_> {
         name
     }
 
-    fn particles(&self, section: &Section<'_, '_>) -> Particles {
+    /// `shared` is the volume fraction of soil that shares its space with water.
+    fn particles(&self, section: &Section<'_, '_>, shared: Option<f64>) -> Particles {
         let particles = Particles {
             spacing: section.required_number("spacing_m", positive(1e4, "m")),
             smoothing_ratio: section
                 .number("smoothing_ratio", from_to(1.0, 4.0, "h/Δx; below 1 there are too few neighbours"))
-                .unwrap_or(self.defaults.smoothing_ratio),
+                .unwrap_or_else(|| self.smoothing_ratio(shared)),
             kernel: section.choice("kernel").unwrap_or(self.defaults.kernel),
         };
         section.finish();
         particles
+    }
+
+    /// In soil, water is farther apart: a ratio is told by its spacing there.
+    fn smoothing_ratio(&self, shared: Option<f64>) -> f64 {
+        match shared.filter(|fraction| *fraction < 1.0 && self.defaults.preset == Preset::Default) {
+            Some(fraction) => (1.5 / (1.0 - fraction).powf(1.0 / self.dimension as f64)).min(4.0),
+            None => self.defaults.smoothing_ratio,
+        }
     }
 
     fn time(&self, section: &Section<'_, '_>) -> Time {

@@ -94,6 +94,16 @@ impl<'r, 's> Section<'r, 's> {
         }
     }
 
+    /// Yes or no, if it is given.
+    pub(super) fn flag(&self, key: &'static str) -> Option<bool> {
+        let entry = self.entry(key)?;
+        if let DeValue::Boolean(given) = entry.get_ref() {
+            return Some(*given);
+        }
+        self.wrong_type(&self.name(key), entry.get_ref(), "true or false");
+        None
+    }
+
     /// A list of numbers, if it is given.
     pub(super) fn numbers(
         &self,

@@ -1,5 +1,6 @@
 //! A case as a file: `case.used.toml`, every default resolved.
 
+mod mixing;
 mod soil;
 mod water;
 
@@ -34,9 +35,12 @@ impl fmt::Display for Case {
         writeln!(f, "kernel = \"{}\"", self.particles.kernel)?;
         self.soil.iter().try_for_each(|each| soil::soil(f, each))?;
         self.water.iter().try_for_each(|each| water::water(f, each))?;
+        self.mixing.iter().try_for_each(|each| mixing::mixing(f, each))?;
         if let Some(each) = &self.tank {
             tank(f, each)?;
         }
+        self.outlets.iter().try_for_each(|each| mixing::region(f, "[[outlet]]", each))?;
+        self.domain.iter().try_for_each(|each| mixing::region(f, "[domain]", each))?;
         if !self.periodic.is_empty() {
             writeln!(f, "\n[periodic]\naxes = {}", words(&self.periodic))?;
         }
@@ -62,7 +66,13 @@ fn tank(f: &mut fmt::Formatter<'_>, tank: &Tank) -> fmt::Result {
             slip(f, along)?;
         }
     }
+    match tank.water_slip {
+        Some(Slip::NoSlip) => writeln!(f, "water_slip = \"no-slip\"")?,
+        Some(_) => writeln!(f, "water_slip = \"free-slip\"")?,
+        None => {}
+    }
     writeln!(f, "layers = {}", tank.layers)?;
+    tank.obstacles.iter().try_for_each(|each| mixing::region(f, "[[tank.obstacle]]", each))?;
     for wall in &tank.moving {
         writeln!(f, "\n[[tank.moving]]\nside = \"{}\"", wall.side)?;
         writeln!(f, "velocity_m_per_s = {}", list(&wall.velocity))?;

@@ -51,6 +51,9 @@ pub(super) struct Scratch<T: Real, const D: usize> {
     pub(super) contacts: Vec<Contact<T, D>>,
     /// Of each wall particle, into the wall; empty where nothing may glide.
     pub(super) wall_normal: Vec<Vector<T, D>>,
+    /// Whether each wall particle is near enough to the material to have a pressure; empty where no wall
+    /// extrapolates.
+    pub(super) reached: Vec<bool>,
     /// ∇v by rows \[1/s\]; empty without strain control.
     pub(super) velocity_gradient: Vec<[Vector<T, D>; D]>,
 }
@@ -117,6 +120,13 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     pub(super) fn conclude<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
         self.add_body_forces(setting);
         self.check_rates(setting)
+    }
+
+    /// Volume \[m³, in 2D m²\] on which the pressure of particle `i` acts: none deep in a wall, where there is no
+    /// pressure.
+    #[inline(always)]
+    pub(super) fn pressing_volume(&self, i: usize) -> T {
+        if self.scratch.reached.get(i) == Some(&false) { T::ZERO } else { self.phase.volume(i) }
     }
 
     /// Limits of the time step \[s\], from the last evaluation.

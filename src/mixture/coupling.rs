@@ -137,12 +137,14 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     ) {
         let sorted = [soil.neighbourhood.rebuilds(), water.neighbourhood.rebuilds()];
         self.across.find_neighbours(&soil.phase.position, &water.phase.position, sorted);
-        self.pores.look(&mut self.across, &setting.kernel, &soil.phase, &water.phase);
+        let density = water.phase.material().reference_density();
+        let fall = setting.gravity * density;
+        self.pores.look(&mut self.across, &setting.kernel, &soil.phase, water, fall);
         if self.form == CouplingForm::Printed {
             self.pores.pressure.fill(T::ZERO);
             self.pores.compression.fill(T::ZERO);
+            self.pores.extrapolation_power = 0.0;
         }
-        let density = water.phase.material().reference_density();
         soil.buoyancy.clear();
         soil.buoyancy.extend(self.pores.saturation.iter().map(|s| density * s.min(T::ONE)));
     }
@@ -166,6 +168,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         soil: &Constituent<T, D, S>,
         water: &Constituent<T, D, F>,
     ) {
+        let seen = |a: usize| water.pressing_volume(a);
         let (soil, water) = (&soil.phase, &water.phase);
         let (pores, drag) = (&self.pores, &*self.drag);
         let of_soil = |i: usize, record: &mut [T]| {
@@ -179,7 +182,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         };
         let of_water = |a: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&water.now.velocity[a].0);
-            record[D] = water.volume(a);
+            record[D] = seen(a);
             record[D + 1] = water.volume(a);
             record[D + 2] = water.pressure[a];
             record[D + 3] = T::ZERO;
@@ -219,6 +222,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         }
         self.drag_rate.water = fastest;
         water.exchange_rate.taken[Account::Drag] += power;
+        water.exchange_rate.taken[Account::WallExtrapolation] -= self.pores.extrapolation_power;
     }
 
     /// The longest step \[s\] explicit drag allows: half of that at which leap-frog (71) with its half-step

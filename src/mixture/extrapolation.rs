@@ -143,9 +143,14 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
         self.scratch.wall_velocity.clear();
         self.scratch.contacts.clear();
+        self.scratch.reached.clear();
         for i in 0..self.phase.wall_particles() {
             let shown = self.extrapolate_wall(setting, i);
             self.scratch.wall_velocity.push(shown);
+            let is_given = !matches!(self.phase.wall_kind(i), WallKind::Extrapolated { .. });
+            self.scratch
+                .reached
+                .push(is_given || self.scratch.sums.get(i, sum::WEIGHT) > T::of(OUT_OF_REACH));
         }
     }
 
@@ -237,6 +242,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         stress
     }
 }
+
+/// Where material fills less of a wall particle's surroundings, rounding alone makes it near.
+const OUT_OF_REACH: f64 = 1e-9;
 
 /// Keeps `x/x` finite at `x = 0`.
 fn tiny<T: Real>() -> T {

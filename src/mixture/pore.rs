@@ -1,15 +1,17 @@
 //! What the two constituents see of each other: pore pressure and expansion of the water at the soil, and
 //! the soil's volume fraction and its rate at the water (67)–(69).
 
-use super::Phase;
 use super::across::Across;
+use super::constituent::Constituent;
+use super::evaluation::vector_sum;
+use super::{Phase, WallKind};
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::real::{Num, Real};
 use crate::space::Vector;
-use crate::summation::{MOST, PairFormula, Record, Sums, number, vector};
+use crate::summation::{MOST, PairFormula, Record, Sums, add_vector, number, vector};
 
-/// `Σ w_j W`, `Σ w_j p_j W` and `Σ w_j v_ij·∇W` over the other constituent; record: x, v, w, p, with
+/// `Σ w_j W`, `Σ w_j p_j W`, `Σ w_j v_ij·∇W` and `Σ w_j x_ij W` over the other constituent; record: x, v, w, p, with
 /// w = V of water and w = V φ of soil.
 pub(super) struct Pore<K, const D: usize> {
     pub(super) kernel: K,
@@ -20,6 +22,7 @@ mod sum {
     pub(super) const WEIGHT: usize = 0;
     pub(super) const PRESSURE: usize = 1;
     pub(super) const APPROACH: usize = 2;
+    pub(super) const LEVER: usize = 3;
 }
 
 #[derive(Clone, Copy)]
@@ -32,7 +35,7 @@ pub(super) struct Seen<N: Copy, const D: usize> {
 
 impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Pore<K, D> {
     const BLOCKS: usize = (2 * D + 2).div_ceil(4);
-    const SUMS: usize = 3;
+    const SUMS: usize = 3 + D;
     type At<N: Num<Scalar = T>> = Seen<N, D>;
 
     #[inline(always)]
@@ -53,6 +56,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Pore<K, D> {
         sums[sum::WEIGHT] += weight;
         sums[sum::PRESSURE] += weight * j.pressure;
         sums[sum::APPROACH] += j.weight * self.kernel.slope(r2) * (i.v - j.v).dot(x);
+        add_vector(sums, sum::LEVER, x * weight);
     }
 }
 
@@ -69,6 +73,8 @@ pub(super) struct Pores<T> {
     pub(super) fraction: Vec<T>,
     /// Dφ_a/Dt (69) \[1/s\].
     pub(super) fraction_rate: Vec<T>,
+    /// What extrapolating the pressure into walls gives to the particles \[W\].
+    pub(super) extrapolation_power: f64,
     sums: Sums<T>,
 }
 
@@ -76,22 +82,23 @@ pub(super) struct Pores<T> {
 const DRY: f64 = 1e-9;
 
 impl<T: Real> Pores<T> {
-    /// Looks from each constituent at the other.
+    /// Looks from each constituent at the other. `fall` is ρ̃₀ g of the water, which presses it against walls.
     pub(super) fn look<const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
         &mut self,
         across: &mut Across<T, D>,
         kernel: &K,
         soil: &Phase<T, D, S>,
-        water: &Phase<T, D, F>,
+        water: &Constituent<T, D, F>,
+        fall: Vector<T, D>,
     ) {
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
             record[D] = soil.grains(i);
         };
         let of_water = |a: usize, record: &mut [T]| {
-            record[..D].copy_from_slice(&water.now.velocity[a].0);
-            record[D] = water.volume(a);
-            record[D + 1] = water.pressure[a];
+            record[..D].copy_from_slice(&water.phase.now.velocity[a].0);
+            record[D] = water.pressing_volume(a);
+            record[D + 1] = water.phase.pressure[a];
         };
         let formula = Pore::<K, D> { kernel: kernel.clone() };
         across.sum(&formula, &[T::ZERO; 5][..D + 2], &of_soil, &of_water, &mut self.sums);
@@ -104,8 +111,27 @@ impl<T: Real> Pores<T> {
         self.pressure = (0..soil.len()).map(|i| over(i, sum::PRESSURE)).collect();
         // v_ai·∇_aW is v_ia·∇_iW.
         self.compression = (0..soil.len()).map(|i| over(i, sum::APPROACH)).collect();
+        self.extrapolate(soil, fall);
+        let sums = &self.sums;
         let at = |a: usize, k: usize| sums.get(across.water(a), k);
-        self.fraction = (0..water.len()).map(|a| T::ONE - at(a, sum::WEIGHT)).collect(); // (68)
-        self.fraction_rate = (0..water.len()).map(|a| -at(a, sum::APPROACH)).collect(); // (69)
+        self.fraction = (0..water.phase.len()).map(|a| T::ONE - at(a, sum::WEIGHT)).collect(); // (68)
+        self.fraction_rate = (0..water.phase.len()).map(|a| -at(a, sum::APPROACH)).collect(); // (69)
+    }
+
+    /// In a wall water is on one side only, and its mean pressure that of another place: what the water
+    /// between weighs makes up for it, as in Adami et al. (2012).
+    fn extrapolate<const D: usize, S: Material<T>>(&mut self, soil: &Phase<T, D, S>, fall: Vector<T, D>) {
+        self.extrapolation_power = 0.0;
+        for i in 0..soil.wall_particles() {
+            let weight = self.sums.get(i, sum::WEIGHT);
+            if !matches!(soil.wall_kind(i), WallKind::Extrapolated { .. }) || weight <= T::of(DRY) {
+                continue;
+            }
+            let lever: Vector<T, D> = vector_sum(&self.sums, i, sum::LEVER);
+            let beyond = fall.dot(lever) / weight;
+            self.pressure[i] += beyond;
+            let work = soil.grains(i) * beyond * self.sums.get(i, sum::APPROACH);
+            self.extrapolation_power += work.as_f64();
+        }
     }
 }

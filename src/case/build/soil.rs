@@ -1,12 +1,13 @@
 //! The soil of a case.
 
+use super::walls::Kept;
 use super::{SoilLaw, array, vector};
 use crate::case::choice::InitialStress;
 use crate::case::model::{Case, ROUNDING, Shape, Soil, SoilBody, upright};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::material::{AnySurface, Elasticity};
-use crate::mixture::{ArtificialStress, ArtificialViscosity, Mixture, Phase};
+use crate::mixture::{ArtificialStress, ArtificialViscosity, Mixture, Phase, Wall};
 use crate::real::Real;
 use crate::setup;
 use crate::space::{SymTensor, Vector};
@@ -35,8 +36,21 @@ impl Case {
     ) -> Result<Phase<T, D, SoilLaw<T>>, ParameterError> {
         let Some(soil) = &self.soil else { return Ok(Phase::new(nominal()?)) };
         let mut phase = Phase::new(soil.law()?);
-        self.add_walls(&mut phase, |_| T::ZERO)?;
-        for body in &soil.bodies {
+        let beside = |x: &Vector<T, D>| {
+            let bounds = soil.bodies.iter().map(|body| body.shape.bounds(&self.gravity));
+            bounds.into_iter().any(|(low, high)| self.is_beside(&low, &high, x))
+        };
+        // Where there is water too, it has all of the space beside walls without soil.
+        let filled = |x: &Vector<T, D>| self.water.is_none() || beside(x);
+        self.add_walls(&mut phase, Kept { filled: &filled, apart: false, slip: None }, |_| T::ZERO)?;
+        if self.water.is_some() {
+            let empty = |x: &Vector<T, D>| !beside(x);
+            self.add_walls(&mut phase, Kept { filled: &empty, apart: true, slip: None }, |_| T::ZERO)?;
+        }
+        for body in soil.bodies.iter().filter(|body| body.held) {
+            phase.add_wall(Wall::dynamic(), &self.lattice(&body.shape), self.volume(), |_| T::ZERO)?;
+        }
+        for body in soil.bodies.iter().filter(|body| !body.held) {
             let first = phase.len();
             phase.add(&self.lattice(&body.shape), self.volume(), |_| T::ZERO)?;
             phase.velocities_mut()[first..].fill(vector(&body.velocity));
@@ -68,11 +82,22 @@ impl Case {
         inside.map(|x| Vector::of(x.0)).collect()
     }
 
+    /// What the water around it bears of the weight \[Pa\] of soil that reaches `fall` \[m²/s²\] above `x`.
+    fn uplift<T: Real, const D: usize>(&self, x: &Vector<T, D>, fall: f64) -> f64 {
+        let Some(water) = &self.water else { return 0.0 };
+        let near = water.blocks.iter().filter(|block| self.is_beside(&block.low, &block.high, x));
+        let deepest = near.map(|block| self.fall(block.surface, x)).fold(0.0, f64::max);
+        water.reference_density * deepest.min(fall)
+    }
+
     /// The stress \[Pa\] soil starts with at `x`: of the body that is there; on a wall, the greatest of the
     /// bodies beside it.
     fn rest_stress<T: Real, const D: usize>(&self, soil: &Soil, x: &Vector<T, D>) -> SymTensor<T> {
         let weight = |body: &SoilBody| match body.initial_stress {
-            InitialStress::Geostatic => soil.reference_density * self.fall(body.surface, x),
+            InitialStress::Geostatic => {
+                let fall = self.fall(body.surface, x);
+                soil.reference_density * fall - self.uplift(x, fall)
+            }
             InitialStress::Zero => 0.0,
         };
         let holds = |body: &&SoilBody| {

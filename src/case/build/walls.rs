@@ -2,20 +2,29 @@
 
 use super::{array, vector};
 use crate::case::choice::Side;
-use crate::case::model::{Case, Walls};
+use crate::case::model::{Case, Region, Walls};
 use crate::error::ParameterError;
 use crate::material::Material;
-use crate::mixture::{Phase, Wall};
+use crate::mixture::{Phase, Slip, Wall};
 use crate::real::Real;
 use crate::setup;
 use crate::space::Vector;
 
+/// Which particles of the walls a constituent gets, and what it does along them.
+pub(super) struct Kept<'a, T, const D: usize> {
+    pub(super) filled: &'a dyn Fn(&Vector<T, D>) -> bool,
+    /// Whether they take no space from the water.
+    pub(super) apart: bool,
+    pub(super) slip: Option<Slip>,
+}
+
 impl Case {
-    /// One wall for each closed side. What is outside several sides, as a corner is, belongs to the first
+    /// One wall for each closed side, then one for each obstacle. What is outside several sides, as a corner is, belongs to the first
     /// that rests: a wall that moves would drag the corner through its neighbour.
     pub(super) fn add_walls<T: Real, const D: usize, M: Material<T>>(
         &self,
         phase: &mut Phase<T, D, M>,
+        kept: Kept<'_, T, D>,
         pressure: impl Fn(&Vector<T, D>) -> T,
     ) -> Result<(), ParameterError> {
         let Some(tank) = &self.tank else { return Ok(()) };
@@ -42,23 +51,42 @@ impl Case {
             outside().find(|side| velocity(*side).is_none()).or_else(|| outside().next())
         };
         for side in &sides {
-            let own: Vec<Vector<T, D>> = all.iter().copied().filter(|x| owner(x) == Some(*side)).collect();
+            let own = all.iter().copied().filter(|x| owner(x) == Some(*side) && (kept.filled)(x));
+            let own: Vec<Vector<T, D>> = own.collect();
             let wall = velocity(*side).map_or_else(
-                || wall(tank.walls),
+                || kept.wall(tank.walls),
                 |moving| {
                     let velocity = vector(&moving.velocity);
-                    wall(tank.walls).moving(move |_, _| velocity)
+                    kept.wall(tank.walls).moving(move |_, _| velocity)
                 },
             );
             phase.add_wall(wall, &own, self.volume(), &pressure)?;
         }
+        for obstacle in &tank.obstacles {
+            let shell = self.shell(obstacle, tank.layers).into_iter().filter(|x| (kept.filled)(x));
+            let own: Vec<Vector<T, D>> = shell.collect();
+            phase.add_wall(kept.wall(tank.walls), &own, self.volume(), &pressure)?;
+        }
         Ok(())
+    }
+
+    /// The outermost `layers` of particles that fill a box.
+    fn shell<T: Real, const D: usize>(&self, region: &Region, layers: u64) -> Vec<Vector<T, D>> {
+        let (low, high) = (array::<D>(&region.low), array::<D>(&region.high));
+        let deep = layers as f64 * self.particles.spacing;
+        let near = |x: f64, k: usize| (x - low[k]).min(high[k] - x) < deep;
+        let mut particles = setup::fill::<T, D>(low, high, self.particles.spacing);
+        particles.retain(|x| (0..D).any(|k| near(x[k].as_f64(), k)));
+        particles
     }
 }
 
-fn wall<T: Real, const D: usize>(walls: Walls) -> Wall<T, D> {
-    match walls {
-        Walls::Dynamic => Wall::dynamic(),
-        Walls::Extrapolated(slip) => Wall::extrapolated(slip),
+impl<T: Real, const D: usize> Kept<'_, T, D> {
+    fn wall(&self, walls: Walls) -> Wall<T, D> {
+        let wall = match walls {
+            Walls::Dynamic => Wall::dynamic(),
+            Walls::Extrapolated(slip) => Wall::extrapolated(self.slip.unwrap_or(slip)),
+        };
+        if self.apart { wall.apart() } else { wall }
     }
 }

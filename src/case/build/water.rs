@@ -1,5 +1,6 @@
 //! The water of a case.
 
+use super::walls::Kept;
 use super::{SoilLaw, array, vector};
 use crate::case::choice::{DiffusionKind, InitialPressure};
 use crate::case::model::{Block, Case, Water};
@@ -23,7 +24,16 @@ impl Case {
             return Ok(Phase::new(material::Water::new(T::of(NOMINAL.0), T::of(NOMINAL.1))?));
         };
         let mut phase = Phase::new(water.law()?);
-        self.add_walls(&mut phase, |x| T::of(self.wall_pressure(water, x)))?;
+        let kept = Kept {
+            filled: &|_: &Vector<T, D>| true,
+            apart: false,
+            slip: self.tank.as_ref().and_then(|tank| tank.water_slip),
+        };
+        self.add_walls(&mut phase, kept, |x| T::of(self.wall_pressure(water, x)))?;
+        for inflow in &water.inflows {
+            let (low, high) = (array(&inflow.region.low), array(&inflow.region.high));
+            phase.add_inflow(low, high, self.particles.spacing, vector(&inflow.velocity))?;
+        }
         for block in &water.blocks {
             let first = phase.len();
             let positions = setup::fill(array(&block.low), array(&block.high), self.particles.spacing);

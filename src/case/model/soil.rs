@@ -92,6 +92,8 @@ pub struct SoilBody {
     pub surface: f64,
     /// Lateral over vertical stress K₀ \[–\].
     pub lateral_ratio: f64,
+    /// Whether it is held in place: water seeps through it.
+    pub held: bool,
 }
 
 /// The shape of a body.

@@ -192,6 +192,7 @@ impl Context<'_, '_> {
             surface: section
                 .number("surface_m", finite("m"))
                 .unwrap_or_else(|| highest(&low, &high, gravity)),
+            held: section.flag("held").unwrap_or(false),
             lateral_ratio: section
                 .number("lateral_stress_ratio", from_to(0.0, 10.0, "lateral over vertical stress"))
                 .unwrap_or(ratio),

@@ -13,6 +13,7 @@ impl Context<'_, '_> {
         section: &Section<'_, '_>,
         particles: &Particles,
         has_soil: bool,
+        has_both: bool,
     ) -> Option<Tank> {
         if !section.is_given() {
             return None;
@@ -25,7 +26,9 @@ impl Context<'_, '_> {
             low: section.required_numbers("low_m", d, from_to(-FAR, FAR, "m")),
             high: section.required_numbers("high_m", d, from_to(-FAR, FAR, "m")),
             open: section.choices("open").unwrap_or_default(),
+            water_slip: self.water_slip(section, walls, has_both),
             walls,
+            obstacles: section.sections("obstacle").iter().map(|it| self.whole_region(it)).collect(),
             layers: section.count("layers", 1..=20).unwrap_or(enough),
             moving: section.sections("moving").iter().map(|wall| self.moving(wall)).collect(),
         };
@@ -60,6 +63,21 @@ impl Context<'_, '_> {
             self.reader.warning(&section.name("slip"), why, allowed);
         }
         Walls::Dynamic
+    }
+
+    /// Water glides along walls unless the case says that it sticks, whatever soil does.
+    fn water_slip(&self, section: &Section<'_, '_>, walls: Walls, has_both: bool) -> Option<Slip> {
+        let slip = section.choice("water_slip");
+        if slip.is_some() && !has_both {
+            let why = "is for water beside soil";
+            self.reader.error(&section.name("water_slip"), why, "slip, where there is only one");
+        }
+        if slip == Some(SlipChoice::Friction) {
+            let why = "is for soil: water has no friction";
+            self.reader.error(&section.name("water_slip"), why, "\"no-slip\", \"free-slip\"");
+        }
+        let slip = if slip == Some(SlipChoice::NoSlip) { Slip::NoSlip } else { Slip::FreeSlip };
+        (has_both && walls != Walls::Dynamic).then_some(slip)
     }
 
     fn friction(&self, section: &Section<'_, '_>, coefficient: Option<f64>, has_soil: bool) -> Slip {

@@ -16,11 +16,12 @@ impl Context<'_, '_> {
         let sound_speed = section.number("sound_speed_m_per_s", positive(1e5, "m/s"));
         let blocks: Vec<Block> =
             section.sections("block").iter().map(|block| self.block(block, gravity)).collect();
-        if blocks.is_empty() && !self.reader.given(&section.name("block")) {
+        let given = |key| self.reader.given(&section.name(key));
+        if blocks.is_empty() && !given("block") && section.sections("inflow").is_empty() {
             self.reader.missing(
                 "water",
                 "block",
-                "at least one [[water.block]] with low_m and high_m".into(),
+                "at least one [[water.block]] with low_m and high_m, or a [[water.inflow]]".into(),
             );
         }
         let water = Water {
@@ -37,6 +38,7 @@ impl Context<'_, '_> {
             diffusion,
             diffusion_coefficient,
             reinitialisation_every: every.unwrap_or(self.defaults.reinitialisation_every),
+            inflows: section.sections("inflow").iter().map(|inflow| self.inflow(inflow)).collect(),
             blocks,
         };
         [&viscosity, &reinitialisation, section].iter().for_each(|section| section.finish());

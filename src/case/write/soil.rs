@@ -64,5 +64,6 @@ fn body(f: &mut fmt::Formatter<'_>, body: &SoilBody) -> fmt::Result {
     writeln!(f, "velocity_m_per_s = {}", list(&body.velocity))?;
     writeln!(f, "initial_stress = \"{}\"", body.initial_stress)?;
     writeln!(f, "surface_m = {:?}", body.surface)?;
-    writeln!(f, "lateral_stress_ratio = {:?}", body.lateral_ratio)
+    writeln!(f, "lateral_stress_ratio = {:?}", body.lateral_ratio)?;
+    writeln!(f, "held = {}", body.held)
 }

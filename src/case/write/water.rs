@@ -19,7 +19,11 @@ pub(super) fn water(f: &mut fmt::Formatter<'_>, water: &Water) -> fmt::Result {
         writeln!(f, "coefficient = {:?}", water.diffusion_coefficient)?;
     }
     writeln!(f, "\n[water.reinitialisation]\nevery_steps = {}", water.reinitialisation_every)?;
-    water.blocks.iter().try_for_each(|each| block(f, each))
+    water.blocks.iter().try_for_each(|each| block(f, each))?;
+    water.inflows.iter().try_for_each(|each| {
+        super::mixing::region(f, "[[water.inflow]]", &each.region)?;
+        writeln!(f, "velocity_m_per_s = {}", list(&each.velocity))
+    })
 }
 
 fn block(f: &mut fmt::Formatter<'_>, block: &Block) -> fmt::Result {

@@ -1,0 +1,44 @@
+//! What is between soil and water in a case, and where particles come and go.
+
+use crate::mixture::CouplingForm;
+
+/// What is between soil and water.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mixing {
+    /// How pore pressure acts.
+    pub coupling: CouplingForm,
+    /// Time in which the water's density relaxes to the volume its particles take \[s\]; 0 is never.
+    pub relaxation_time: f64,
+    /// How they drag each other.
+    pub drag: Drag,
+}
+
+/// How soil and water drag each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Drag {
+    /// Not at all.
+    None,
+    /// By Darcy's law (37).
+    Darcy {
+        /// Hydraulic conductivity k \[m/s\].
+        conductivity: f64,
+    },
+}
+
+/// A box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Lowest corner \[m\].
+    pub low: Vec<f64>,
+    /// Highest corner \[m\].
+    pub high: Vec<f64>,
+}
+
+/// A box of water that moves towards its mouth, where it comes in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inflow {
+    /// The box.
+    pub region: Region,
+    /// Its velocity, along one axis \[m/s\].
+    pub velocity: Vec<f64>,
+}

@@ -1,0 +1,99 @@
+//! `[mixture]`, and where particles come and go: `[[water.inflow]]`, `[[outlet]]`, `[domain]`.
+
+use super::{Context, FAR};
+use crate::case::bounds::{from_to, positive};
+use crate::case::choice::DragKind;
+use crate::case::model::{Drag, Inflow, Mixing, Particles, Region, Water};
+use crate::case::section::Section;
+use crate::mixture::CouplingForm;
+use crate::preset::Preset;
+
+/// Smoothing lengths that sound travels in the usual time of the density's relaxation.
+const RELAXATION: f64 = 400.0;
+
+impl Context<'_, '_> {
+    /// What is between soil and water, where there are both.
+    pub(super) fn mixing(
+        &self,
+        section: &Section<'_, '_>,
+        particles: &Particles,
+        has_soil: bool,
+        water: Option<&Water>,
+    ) -> Option<Mixing> {
+        let Some(water) = water.filter(|_| has_soil) else {
+            if section.is_given() {
+                let why = "has nothing to couple";
+                self.reader.error("mixture", why, "[soil] and [water] beside it, or no [mixture]");
+            }
+            return None;
+        };
+        let is_paper = self.defaults.preset == Preset::Paper;
+        let usual = if is_paper { CouplingForm::Printed } else { CouplingForm::PressureDifference };
+        let coupling = section.choice("coupling").unwrap_or(usual);
+        let time = section.number("density_relaxation_s", from_to(0.0, 1e9, "s; 0 is never"));
+        let h = particles.smoothing_ratio * particles.spacing;
+        let usual = if is_paper { 0.0 } else { RELAXATION * h / water.sound_speed };
+        if coupling == CouplingForm::Printed && time.is_some_and(|time| time > 0.0) {
+            let why = "has no effect: it acts where pressure acts by differences";
+            self.reader.warning(&section.name("density_relaxation_s"), why, "0.0, or another coupling");
+        }
+        let mixing = Mixing { coupling, relaxation_time: time.unwrap_or(usual), drag: self.drag(section) };
+        section.finish();
+        Some(mixing)
+    }
+
+    fn drag(&self, section: &Section<'_, '_>) -> Drag {
+        let key = "hydraulic_conductivity_m_per_s";
+        let conductivity = section.number(key, positive(1e6, "m/s"));
+        match section.choice("drag").unwrap_or(DragKind::Darcy) {
+            DragKind::None => {
+                if conductivity.is_some() {
+                    let why = "contradicts drag = \"none\"";
+                    self.reader.error(&section.name(key), why, "leave it out, or drag = \"darcy\"");
+                }
+                Drag::None
+            }
+            DragKind::Darcy => {
+                if conductivity.is_none() {
+                    self.reader.missing("mixture", key, positive(1e6, "m/s").to_string());
+                }
+                Drag::Darcy { conductivity: conductivity.unwrap_or(1.0) }
+            }
+        }
+    }
+
+    pub(super) fn inflow(&self, section: &Section<'_, '_>) -> Inflow {
+        let region = self.region(section);
+        let velocity =
+            section.required_numbers("velocity_m_per_s", self.dimension, from_to(-1e5, 1e5, "m/s"));
+        if velocity.iter().filter(|v| **v != 0.0).count() != 1 {
+            let why = "is not along one of the axes";
+            self.reader.error(&section.name("velocity_m_per_s"), why, "one component that is not 0.0");
+        }
+        section.finish();
+        Inflow { region, velocity }
+    }
+
+    pub(super) fn domain(&self, section: &Section<'_, '_>) -> Option<Region> {
+        section.is_given().then(|| self.whole_region(section))
+    }
+
+    /// A box that is all there is in its table.
+    pub(super) fn whole_region(&self, section: &Section<'_, '_>) -> Region {
+        let region = self.region(section);
+        section.finish();
+        region
+    }
+
+    fn region(&self, section: &Section<'_, '_>) -> Region {
+        let low = section.required_numbers("low_m", self.dimension, from_to(-FAR, FAR, "m"));
+        let high = section.required_numbers("high_m", self.dimension, from_to(-FAR, FAR, "m"));
+        for k in 0..self.dimension {
+            if high[k] <= low[k] {
+                let key = format!("{}[{}]", section.name("high_m"), k + 1);
+                self.reader.error(&key, "is not above low_m", format!("a number above {:?} [m]", low[k]));
+            }
+        }
+        Region { low, high }
+    }
+}
