@@ -2,7 +2,7 @@
 
 mod constituent;
 
-use crate::solver::{DamBreak, Solver, Step, Stopped, View, quantity};
+use crate::solver::{DamBreak, Parcels, Solver, Step, Stopped, View, quantity};
 use alluvium::budget::{Account, Budget};
 use alluvium::case::{Case, CaseSimulation, Field, Gauge, Quantity, Side, SoilLaw};
 use alluvium::kernel::Kernel;
@@ -10,6 +10,7 @@ use alluvium::material::Water;
 use alluvium::mixture::{Mixture, Phase, Probe};
 use alluvium::output::{Component, Vtp};
 use alluvium::time::Integrator;
+use alluvium::verify::Parcel;
 use alluvium::verify::dam_break::{self, Reference};
 use alluvium::verify::sand_column::{Pile, Section};
 use alluvium::{Real, Vector};
@@ -188,6 +189,10 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
             stuck: dam_break::stuck(mixture),
             velocity: reference.velocity_error(mixture),
         }
+    }
+
+    fn parcels(&self) -> Parcels {
+        Parcels { soil: Parcel::of(self.soil()), water: Parcel::of(self.water()) }
     }
 
     fn pile(&self, section: Section) -> Pile {

@@ -2,6 +2,7 @@
 
 use alluvium::case::{Field, Gauge};
 use alluvium::output::Vtp;
+use alluvium::verify::Parcel;
 use alluvium::verify::dam_break::{Reference, VelocityError};
 use alluvium::verify::sand_column::{Pile, Section};
 
@@ -73,10 +74,22 @@ pub trait Solver {
     /// What is measured on a dam break, against a finite-volume solution of it.
     fn dam_break(&self, reference: &Reference) -> DamBreak;
 
+    /// Soil and water as plain numbers; none unless a solver has both.
+    fn parcels(&self) -> Parcels {
+        Parcels::default()
+    }
+
     /// The soil in a section, for what is measured on a column of sand; none unless a solver has soil.
     fn pile(&self, section: Section) -> Pile {
         Pile::new(section, 0.0, Vec::new())
     }
+}
+
+/// Soil and water of one instant.
+#[derive(Clone, Debug, Default)]
+pub struct Parcels {
+    pub soil: Vec<Parcel>,
+    pub water: Vec<Parcel>,
 }
 
 /// Measures of a dam break at one instant.

@@ -4,8 +4,10 @@ mod bars;
 mod convergence;
 mod dam_break;
 mod head;
+mod jet;
 mod ledger;
 mod sand_column;
+mod u_tube;
 
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
@@ -40,6 +42,28 @@ const ALL: &[Reproduction] = &[
         name: "sand-column-run-out",
         about: "columns of aspect ratios from 0.5 to 4: how far they run, over laws from other experiments",
         run: sand_column::run_out::reproduce,
+    },
+    Reproduction {
+        name: "u-tube",
+        about: "water seeps through soil from one arm of a U-tube to the other, 200 s: levels and flow against \
+                the exact course (paper, Figs. 9 and 10)",
+        run: u_tube::reproduce,
+    },
+    Reproduction {
+        name: "jet",
+        about: "a jet of 25 m/s digs into saturated soil: flow, hole, volume fraction, plastic strain (paper, \
+                Figs. 12 to 16)",
+        run: jet::reproduce,
+    },
+    Reproduction {
+        name: "jet-conductivity",
+        about: "the same for soils from gravel to sand: depth of the hole (paper, Fig. 17)",
+        run: jet::series::conductivity,
+    },
+    Reproduction {
+        name: "jet-fraction",
+        about: "the same for loose and dense soil: shape of the hole (paper, Fig. 18)",
+        run: jet::series::fraction,
     },
 ];
 

@@ -1,0 +1,112 @@
+//! The hole and the flow, as a table and a chart.
+
+use super::{Jet, Look, Watch};
+use crate::plots::{Chart, Series};
+use crate::reproduce::bars::Bars;
+use crate::reproduce::ledger::Ledger;
+use crate::run::Finished;
+use crate::solver::quantity;
+use alluvium::case::{Case, StepSize};
+use alluvium::output::Table;
+use alluvium::verify::jet::TANK;
+
+/// When the hole is measured \[s\].
+const MEASURED: f64 = 0.01;
+
+/// What was run.
+pub fn head(case: &Case, finished: &Finished, jet: &Jet) -> String {
+    let (moving, walls) = finished.particles;
+    let step = match case.time.step {
+        StepSize::Courant(courant) => format!("Courant number {courant}"),
+        StepSize::Fixed(step) => format!("fixed step {step:e} s"),
+    };
+    format!(
+        "# Excavation of saturated soil by a jet\n\nPreset `{}`, Δx = {} m, h = {} Δx, k = {:e} m/s, ψ = {}°, \
+         φ_s = {}, {}, {step}: {moving} particles at the end and {walls} of walls, {} steps to {} s in \
+         {:.0} s.\n\n",
+        case.preset,
+        case.particles.spacing,
+        case.particles.smoothing_ratio,
+        jet.conductivity,
+        jet.dilatancy,
+        jet.fraction,
+        case.precision,
+        finished.steps,
+        case.end_time,
+        finished.wall_clock
+    )
+}
+
+/// One line per bar.
+pub fn bars(watch: &Watch, history: &Table, ledger: &Ledger) -> String {
+    let mut table = Bars::default();
+    if let Some(look) = watch.hole_at(MEASURED) {
+        let depth = 1e3 * look.hole.depth();
+        let (bar, within) = if watch.jet.dilatancy > 0.0 {
+            ("24 to 27 mm", (24.0..=27.0).contains(&depth))
+        } else {
+            ("49 ± 5 mm", (44.0..=54.0).contains(&depth))
+        };
+        // The numbers are those of the paper's conductivity and fraction.
+        let is_paper = watch.jet.conductivity == 5e-4 && watch.jet.fraction == 0.5;
+        let when = format!("depth of the hole at {:.0} ms", 1e3 * look.time);
+        let bar = if is_paper { bar } else { "none" };
+        table.add(&when, format!("{depth:.1} mm"), bar, is_paper.then_some(within));
+        let width = format!("{:.0} mm", 1e3 * look.hole.width_at(0.5));
+        table.add("its width at half the depth", width, "none", None);
+        let ratio = format!("{:.2}", look.hole.roundness());
+        table.add("that over the width at a tenth of it (U 1, V ½)", ratio, "none", None);
+    }
+    let fractions = watch.looks.iter().flat_map(|look| &look.parcels.water).map(|it| it.fraction);
+    let (least, most) = fractions.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+    let within = least >= -1e-4 && most <= 1.0001;
+    let found = format!("{least:.4} to {most:.5}");
+    table.add("volume fraction of water at the dumps", found, "-1e-4 to 1.0001", Some(within));
+    let pressures = || watch.looks.iter().flat_map(|look| &look.parcels.water).map(|it| it.pressure * 1e-6);
+    let (least, most) = pressures().fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+    let within = least >= -0.25 && most <= 0.8;
+    table.add(
+        "pressure at the dumps",
+        format!("{least:.3} to {most:.3} MPa"),
+        "-0.25 to 0.8 MPa",
+        Some(within),
+    );
+    let over = watch.looks.last().map_or(0, |look| {
+        look.parcels.soil.iter().filter(|it| !(0.0..=TANK[0]).contains(&it.place[0])).count()
+    });
+    table.add("soil particles beyond the rim at the end", format!("{over}"), "none", None);
+    energies(&mut table, history, ledger);
+    table.markdown()
+}
+
+fn energies(table: &mut Bars, history: &Table, ledger: &Ledger) {
+    let last = |name: &str| history.column(name).ok().and_then(|column| column.last().copied());
+    let came = last(&format!("{}inflow [J]", quantity::TAKEN)).map(|taken| -taken);
+    if let (Some(kinetic), Some(came)) = (last(quantity::KINETIC), came) {
+        let found = format!("{kinetic:.0} J of {came:.0} J");
+        table.add("kinetic energy at the end, of what the jet brought", found, "less", Some(kinetic < came));
+        let closure = last(quantity::CLOSURE).unwrap_or(f64::NAN) / came;
+        table.add(
+            "energy closure at the end over what the jet brought",
+            format!("{closure:.1e}"),
+            "none",
+            None,
+        );
+    }
+    let largest = ledger.closure.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    table.add(
+        "energy closure, the largest, over the potential energy",
+        format!("{largest:.1e}"),
+        "none",
+        None,
+    );
+}
+
+/// The floor of the hole at each dump (Fig. 13).
+pub fn floors(watch: &Watch) -> String {
+    let chart = Chart::new("Jet: the surface of the soil", "x [m]", "y [m]").y_range(0.0, TANK[1] + 0.05);
+    let with = |chart: Chart, look: &Look| {
+        chart.with(Series::line(&format!("{:.0} ms", 1e3 * look.time), look.hole.floor.clone()))
+    };
+    watch.looks.iter().fold(chart, with).svg()
+}
