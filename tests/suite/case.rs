@@ -1,6 +1,5 @@
 //! Case files: good ones give the same case again, broken ones say where, what and what is allowed.
 
-use crate::mistakes::{Mistake, assert_named};
 use alluvium::case::{Case, DiffusionKind, Dumps, Preset, Slip, StepSize, Strength, Walls};
 
 const GOOD: &str = r#"name = "dam-break"
@@ -48,6 +47,16 @@ quantity = "pressure"
 
 fn parse(text: &str) -> Case {
     Case::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}")).0
+}
+
+/// One mistake: this text is replaced, the message names this key, value and these words.
+struct Mistake {
+    from: &'static str,
+    to: &'static str,
+    key: &'static str,
+    value: &'static str,
+    what: &'static str,
+    allowed: &'static str,
 }
 
 #[rustfmt::skip]
@@ -120,10 +129,36 @@ const MISTAKES: &[Mistake] = &[
     Mistake { from: "gravity_m_per_s2 = [0.0, -9.81]\n\n[water]\nsound_speed_m_per_s = 25.0", to: "gravity_m_per_s2 = [0.0, 0.0]\n\n[water]", key: "water.sound_speed_m_per_s", value: "", what: "missing key", allowed: "ten times" },
 ];
 
+/// The line of `text` that differs first from the good case.
+fn first_changed_line(text: &str) -> usize {
+    let same = GOOD.lines().zip(text.lines()).take_while(|(a, b)| a == b).count();
+    same + 1
+}
+
 #[test]
 fn every_mistake_is_named() {
     const { assert!(MISTAKES.len() >= 25) };
-    assert_named(GOOD, MISTAKES);
+    for mistake in MISTAKES {
+        let Mistake { from, to, key, value, what, allowed } = mistake;
+        assert!(GOOD.contains(from), "{from}");
+        let text = GOOD.replacen(from, to, 1);
+        let error = Case::parse("case.toml", &text).expect_err(to);
+        let shown = error.to_string();
+        let found = error.problems.iter().find(|p| p.key == *key && p.what.contains(what));
+        let found = found.unwrap_or_else(|| panic!("`{to}`: no `{what}` for `{key}` in\n{shown}"));
+        assert!(found.value.contains(value), "`{to}`: value `{}`", found.value);
+        assert!(found.allowed.contains(allowed), "`{to}`: allowed `{}`", found.allowed);
+        if !key.is_empty() {
+            assert!(found.what.contains(key.rsplit('.').next().unwrap()), "`{to}`: {}", found.what);
+        }
+        assert!(shown.contains(&format!("--> case.toml:{}:{}\n", found.line, found.column)), "{shown}");
+        assert!(shown.contains(&format!("= allowed: {}", found.allowed)), "{shown}");
+        assert_eq!(text.lines().nth(found.line - 1).map(str::trim_end), Some(found.text.as_str()), "{shown}");
+        if !value.is_empty() && *value != "[[water.block]]" {
+            assert!(found.text.contains(value.lines().next().unwrap()), "`{to}`: line {}", found.line);
+            assert!(found.line.abs_diff(first_changed_line(&text)) <= 3 || to.contains("axes"), "{shown}");
+        }
+    }
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! Cases of soil: good ones give the same case again, broken ones say where, what and what is allowed.
 
-use crate::mistakes::{Mistake, assert_named};
 use alluvium::case::{Case, Field, InitialStress, Shape, Slip, Soil, Stiffness, Strength, Walls, Warnings};
 use alluvium::material::{Cone, Plasticity};
 
@@ -37,6 +36,16 @@ pub fn read(text: &str) -> (Case, Warnings) {
 
 fn soil(text: &str) -> Soil {
     read(text).0.soil.unwrap()
+}
+
+/// One mistake: this text is replaced, the message names this key, value and these words.
+pub struct Mistake {
+    pub from: &'static str,
+    pub to: &'static str,
+    pub key: &'static str,
+    pub value: &'static str,
+    pub what: &'static str,
+    pub allowed: &'static str,
 }
 
 const ANGLE: &str = "friction_angle_deg = 19.8\n";
@@ -83,7 +92,15 @@ pub const MISTAKES: &[Mistake] = &[
 #[test]
 fn every_mistake_is_named() {
     const { assert!(MISTAKES.len() >= 15) };
-    assert_named(SAND, MISTAKES);
+    for Mistake { from, to, key, value, what, allowed } in MISTAKES {
+        assert!(SAND.contains(from), "{from}");
+        let error = Case::parse("case.toml", &SAND.replacen(from, to, 1)).expect_err(to);
+        let found = error.problems.iter().find(|p| p.key == *key && p.what.contains(what));
+        let found = found.unwrap_or_else(|| panic!("`{to}`: no `{what}` for `{key}` in\n{error}"));
+        assert!(found.value.contains(value), "`{to}`: value `{}`", found.value);
+        assert!(found.allowed.contains(allowed), "`{to}`: allowed `{}`", found.allowed);
+        assert!(value.is_empty() || found.text.contains(value), "`{to}`: line {}", found.line);
+    }
 }
 
 #[test]

@@ -23,8 +23,6 @@ mod lane_code;
 mod lattice_sums;
 mod layers;
 mod links;
-#[cfg(feature = "case")]
-mod mistakes;
 mod mixture;
 mod neighbours;
 mod openings;
