@@ -71,6 +71,7 @@
 //! |---|---|---|
 //! | `rayon` | yes | several threads; the bits of the result stay |
 //! | `kd-tree` | | the kd-tree of kiddo as a neighbour search |
+//! | `implicit` | | drag between soil and water solved over the step: any conductivity at the step sound allows |
 //! | `serde` | | serialisable parameters and states |
 //! | `verify` | | the module `verify` |
 //! | `case` | | the module `case`: strict case files |

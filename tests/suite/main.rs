@@ -14,6 +14,8 @@ mod drive;
 mod errata;
 mod forensics;
 mod from_outside;
+#[cfg(feature = "implicit")]
+mod implicit_drag;
 mod integrators;
 mod kernels;
 mod lane_code;
