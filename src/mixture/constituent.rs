@@ -1,6 +1,7 @@
 //! A phase and what its own equations need: who is near whom, numerics, buffers.
 
 use super::setting::Setting;
+use super::wall_contact::Contact;
 use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Phase, StepError};
 use crate::budget::Exchange;
 use crate::kernel::Kernel;
@@ -46,6 +47,10 @@ pub(super) struct Scratch<T: Real, const D: usize> {
     pub(super) extra: Sums<T>,
     /// The velocity viscosity sees at each wall particle \[m/s\]; empty where no wall extrapolates.
     pub(super) wall_velocity: Vec<Vector<T, D>>,
+    /// What each wall particle offers soil that glides; empty where no wall extrapolates.
+    pub(super) contacts: Vec<Contact<T, D>>,
+    /// Of each wall particle, into the wall; empty where nothing may glide.
+    pub(super) wall_normal: Vec<Vector<T, D>>,
     /// Whether each wall particle is near enough to the material to have a pressure; empty where no wall
     /// extrapolates.
     pub(super) reached: Vec<bool>,
@@ -107,6 +112,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         self.sum_own_pairs(setting); // (52), (58); (53), (55)
         self.add_renormalised_diffusion(setting); // (52), second sum, in the form of Antuono et al.
         self.add_strain_control(setting);
+        self.rub_contacts(setting); // (55)
         self.add_artificial_stress(setting);
     }
 

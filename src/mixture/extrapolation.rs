@@ -3,6 +3,7 @@
 use super::constituent::Constituent;
 use super::evaluation::vector_sum;
 use super::setting::Setting;
+use super::wall_contact::Contact;
 use super::{Slip, WallKind};
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -113,6 +114,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if !self.has_extrapolated_walls() {
             return;
         }
+        if self.may_glide() {
+            self.find_wall_normals(setting);
+        }
         let formula = Extrapolation::<K, D> { kernel: setting.kernel.clone() };
         let (phase, buoyancy) = (&self.phase, &self.buoyancy);
         let o = T::ZERO;
@@ -138,6 +142,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             self.sum_stress_beside_walls(setting);
         }
         self.scratch.wall_velocity.clear();
+        self.scratch.contacts.clear();
         self.scratch.reached.clear();
         for i in 0..self.phase.wall_particles() {
             let shown = self.extrapolate_wall(setting, i);
@@ -149,11 +154,14 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
     }
 
-    /// Sets pressure and density of wall particle `i`, of soil its stress; returns the velocity it shows
-    /// to viscosity.
+    /// Sets pressure and density of wall particle `i`, of soil its stress and what it offers soil that
+    /// glides along; returns the velocity it shows to viscosity.
     fn extrapolate_wall<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>, i: usize) -> Vector<T, D> {
         let v_wall = self.phase.now.velocity[i];
-        let WallKind::Extrapolated { slip, suction } = self.phase.wall_kind(i) else { return v_wall };
+        let WallKind::Extrapolated { slip, suction } = self.phase.wall_kind(i) else {
+            self.scratch.contacts.push(Contact::none());
+            return v_wall;
+        };
         let sums = &self.scratch.sums;
         let weight = sums.get(i, sum::WEIGHT);
         let (mut pressure, mut slip_velocity) = (T::ZERO, Vector::zero());
@@ -168,22 +176,25 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if !suction {
             pressure = pressure.max(T::ZERO);
         }
-        let holds = if M::RIGID_GRAINS {
-            let normal = lever * (T::ONE / lever.norm().max(tiny()));
-            self.set_wall_stress(i, pressure, slip, normal, slip_velocity)
-        } else {
-            let excess = self.phase.material().compression(pressure) * self.phase.volume_fraction[i];
-            self.phase.pressure[i] = pressure;
-            self.phase.now.excess[i] = excess;
-            self.phase.half.excess[i] = excess;
-            slip == Slip::NoSlip
-        };
-        if holds {
+        if M::RIGID_GRAINS {
+            let contact = self.set_wall_stress(i, pressure, slip, slip_velocity);
+            self.scratch.contacts.push(contact.unwrap_or(Contact::none()));
+            return match contact {
+                None => v_wall - slip_velocity,
+                // Soil does not feel how far the wall is, only how fast it nears: the wall comes to meet it.
+                Some(Contact { normal, .. }) => {
+                    v_wall + slip_velocity - normal * (T::of(2.0) * normal.dot(slip_velocity))
+                }
+            };
+        }
+        let excess = self.phase.material().compression(pressure) * self.phase.volume_fraction[i];
+        self.phase.pressure[i] = pressure;
+        self.phase.now.excess[i] = excess;
+        self.phase.half.excess[i] = excess;
+        if slip == Slip::NoSlip {
             v_wall - slip_velocity
         } else {
-            // Soil does not feel how far the wall is, only how fast it nears: the wall comes to meet it.
-            let returned = if M::RIGID_GRAINS { T::of(2.0) } else { T::ONE };
-            v_wall + slip_velocity - lever * (returned * lever.dot(slip_velocity) / lever.norm2().max(tiny()))
+            v_wall + slip_velocity - lever * (lever.dot(slip_velocity) / lever.norm2().max(tiny()))
         }
     }
 

@@ -34,7 +34,9 @@ mod strain_control;
 mod stress;
 mod velocity_gradient;
 mod wall;
+mod wall_contact;
 mod wall_friction;
+mod wall_normal;
 mod wall_stress;
 
 pub use artificial_stress::ArtificialStress;

@@ -36,6 +36,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             },
         );
         self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
+        self.take_contact_shear(setting);
         self.apply_law();
         if self.has_extrapolated_walls() {
             if !M::RIGID_GRAINS {
@@ -79,7 +80,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             lost
         };
         let lost = parallel::change_and_reduce(&mut memory_rate, Works::default(), law, |a, b| a + b);
-        self.exchange_rate.taken = lost;
+        self.exchange_rate.taken = self.exchange_rate.taken + lost;
         self.phase.deviator = deviator;
         self.phase.rate.memory = memory_rate;
     }

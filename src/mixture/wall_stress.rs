@@ -1,8 +1,8 @@
-//! The stress of extrapolated walls that hold soil: the soil's own beside them, as far as it is
-//! admissible and as far as the wall's friction can bear it.
+//! The stress of extrapolated walls that hold soil: the soil's own beside them, as far as it is admissible.
 
 use super::constituent::Constituent;
 use super::wall::Slip;
+use super::wall_contact::Contact;
 use crate::material::Material;
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor, Vector};
@@ -12,66 +12,58 @@ use crate::space::{SymTensor, Tensor, Vector};
 const HELD: f64 = 0.25;
 
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
-    /// Gives wall particle `i` the stress beside it, at this pressure; returns whether the wall holds what
-    /// moves along it with `slip_velocity`. `normal` points into the wall.
+    /// Gives wall particle `i` the stress beside it, at this pressure; returns what it offers soil that
+    /// glides along it with `slip_velocity`, none where it holds.
     pub(super) fn set_wall_stress(
         &mut self,
         i: usize,
         pressure: T,
         slip: Slip,
-        normal: Vector<T, D>,
         slip_velocity: Vector<T, D>,
-    ) -> bool {
+    ) -> Option<Contact<T, D>> {
         let material = self.phase.material();
         let stress = self.stress_beside_wall(i) - SymTensor::isotropic(pressure);
         // A pressure cut off by the wall, or extrapolated beyond the soil's, may not bear that shear.
         let (memory, _) = material.admit(material.with_stress(M::Memory::default(), &stress));
         let (pressure, deviator) =
             (material.pressure(T::ZERO, &memory), material.deviator(&Tensor::zero(), &memory));
-        let friction = match slip {
-            Slip::NoSlip => None,
-            Slip::FreeSlip => Some(T::ZERO),
-            Slip::Friction(coefficient) => Some(T::of(coefficient)),
-        };
         let impedance = material.reference_density() * material.fastest_wave();
         self.phase.pressure[i] = pressure;
         self.phase.deviator[i] = deviator;
-        let Some(friction) = friction else { return true };
+        let coefficient = match slip {
+            Slip::NoSlip => return None,
+            Slip::FreeSlip => T::ZERO,
+            Slip::Friction(coefficient) => T::of(coefficient),
+        };
+        let normal = self.scratch.wall_normal[i];
         let traction = (deviator - SymTensor::isotropic(pressure)).dot(normal);
-        let shear = traction - normal * traction.dot(normal);
+        let pressing = (-traction.dot(normal)).max(T::ZERO);
+        let shear = traction + normal * pressing;
         let along = slip_velocity - normal * slip_velocity.dot(normal);
-        let bearable = friction * (-traction.dot(normal)).max(T::ZERO);
-        let (borne, holds) = coulomb(shear, along, bearable, T::of(HELD) * bearable / impedance);
-        self.phase.deviator[i] = deviator - symmetric_product(shear - borne, normal);
-        holds
+        let held = T::of(HELD) * coefficient * pressing / impedance;
+        let friction = coulomb(shear, along, coefficient, pressing, held)?;
+        Some(Contact { normal, friction })
     }
 }
 
-/// Shear traction \[Pa\] on soil that slides `along` a wall \[m/s\] which bears at most `bearable` (Coulomb),
-/// and whether the wall holds the soil: while it is slower than `held` and needs no more than that.
+/// Shear over normal traction \[-\] where soil slides `along` a wall \[m/s\], against it (Coulomb), which
+/// the shear traction beside it shows where it is slower than `held`; none if it then needs no more than
+/// the wall bears.
 fn coulomb<T: Real, const D: usize>(
     shear: Vector<T, D>,
     along: Vector<T, D>,
-    bearable: T,
+    coefficient: T,
+    pressing: T,
     held: T,
-) -> (Vector<T, D>, bool) {
+) -> Option<Vector<T, D>> {
     let (speed, size) = (along.norm(), shear.norm());
     if speed > held {
-        (along * (-bearable / speed), false)
-    } else if size > bearable {
-        (shear * (bearable / size), false)
+        Some(along * (coefficient / speed))
+    } else if size > coefficient * pressing {
+        Some(shear * -(coefficient / size))
+    } else if pressing > T::ZERO && coefficient > T::ZERO {
+        None
     } else {
-        (shear, bearable > T::ZERO)
+        Some(Vector::zero())
     }
-}
-
-/// `a⊗n + n⊗a`: of `a` across `n`, the stress whose traction on the plane of `n` is `a`.
-fn symmetric_product<T: Real, const D: usize>(a: Vector<T, D>, n: Vector<T, D>) -> SymTensor<T> {
-    let mut out = SymTensor::zero();
-    for k in 0..D {
-        for l in k..D {
-            out.0[SymTensor::<T>::index(k, l)] = a[k] * n[l] + n[k] * a[l];
-        }
-    }
-    out
 }
