@@ -27,6 +27,7 @@ mod operators;
 mod operators_exact;
 mod powers;
 mod scene;
+mod seepage;
 mod soil;
 mod soil_plate;
 mod soil_rates;
@@ -56,6 +57,7 @@ fn studies() -> Vec<Study> {
         still_tank::studies(),
         powers::studies(),
         mixture_rates::studies(),
+        seepage::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),
