@@ -28,6 +28,7 @@ mod operators_exact;
 mod powers;
 mod scene;
 mod soil;
+mod soil_cut;
 mod soil_plate;
 mod soil_rates;
 mod soil_walls;
@@ -62,6 +63,7 @@ fn studies() -> Vec<Study> {
         tanks::studies(),
         drops::studies(),
         soil_rates::studies(),
+        soil_cut::studies(),
         soil_plate::studies(),
         soil_walls::studies(),
         soil_waves::studies(),
