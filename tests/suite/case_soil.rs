@@ -62,8 +62,6 @@ pub const MISTAKES: &[Mistake] = &[
     Mistake { from: "[soil]", to: "[sol]", key: "sol", value: "", what: "did you mean `soil`?", allowed: "water" },
     Mistake { from: "[tank]", to: "[soil.artifical_stress]\nstrength = 0.3\n[tank]", key: "soil.artifical_stress", value: "", what: "did you mean `artificial_stress`?", allowed: "stress_regularisation" },
     Mistake { from: "[tank]", to: "[soil.density_diffusion]\nkind = \"hydrostatic\"\n[tank]", key: "soil.density_diffusion.kind", value: "\"hydrostatic\"", what: "unknown key", allowed: "coefficient" },
-    // Both constituents.
-    Mistake { from: "[tank]", to: "[[water.block]]\nlow_m = [0.3, 0.0]\nhigh_m = [0.4, 0.1]\n[tank]", key: "soil", value: "[soil]", what: "stands beside [water]: the coupling of the two is to come", allowed: "[soil] or [water]" },
     // Types and words.
     Mistake { from: "2650.0", to: "\"dense\"", key: "soil.reference_density_kg_per_m3", value: "\"dense\"", what: "is a text", allowed: "kg/m³" },
     Mistake { from: ANGLE, to: "friction_angle_deg = 19.8\nyield_surface = \"mohr-columb\"\n", key: "soil.yield_surface", value: "\"mohr-columb\"", what: "did you mean \"mohr-coulomb\"?", allowed: "\"elastic\"" },

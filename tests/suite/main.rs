@@ -5,6 +5,8 @@ mod case;
 #[cfg(feature = "case")]
 mod case_build;
 #[cfg(feature = "case")]
+mod case_mixture;
+#[cfg(feature = "case")]
 mod case_soil;
 #[cfg(feature = "case")]
 mod case_soil_build;

@@ -37,8 +37,8 @@ impl Case {
         let Some(soil) = &self.soil else { return Ok(Phase::new(nominal()?)) };
         let mut phase = Phase::new(soil.law()?);
         let beside = |x: &Vector<T, D>| {
-            let bounds = soil.bodies.iter().map(|body| body.shape.bounds(&self.gravity));
-            bounds.into_iter().any(|(low, high)| self.is_beside(&low, &high, x))
+            let mut bounds = soil.bodies.iter().map(|body| body.shape.bounds(&self.gravity));
+            bounds.any(|(low, high)| self.is_behind(&low, &high, x))
         };
         // Where there is water too, it has all of the space beside walls without soil.
         let filled = |x: &Vector<T, D>| self.water.is_none() || beside(x);

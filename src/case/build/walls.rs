@@ -70,6 +70,34 @@ impl Case {
         Ok(())
     }
 
+    /// Whether `x`, in a wall, is behind a side at which a box touches that wall: there it goes on as the box.
+    pub(super) fn is_behind<T: Real, const D: usize>(
+        &self,
+        low: &[f64],
+        high: &[f64],
+        x: &Vector<T, D>,
+    ) -> bool {
+        let Some(tank) = &self.tank else { return false };
+        let near = 1e-6 * self.particles.spacing;
+        let inside =
+            |region: &&Region| (0..D).all(|k| (region.low[k]..=region.high[k]).contains(&x[k].as_f64()));
+        let obstacles: Vec<&Region> = tank.obstacles.iter().filter(inside).collect();
+        (0..D).all(|k| {
+            let at = x[k].as_f64();
+            let touches = |face: f64, of_tank: f64, of_obstacle: fn(&Region, usize) -> f64| {
+                let meets = |other: f64| (face - other).abs() < near;
+                meets(of_tank) || obstacles.iter().any(|region| meets(of_obstacle(region, k)))
+            };
+            if at < low[k] {
+                touches(low[k], tank.low[k], |region, k| region.high[k])
+            } else if at > high[k] {
+                touches(high[k], tank.high[k], |region, k| region.low[k])
+            } else {
+                true
+            }
+        })
+    }
+
     /// The outermost `layers` of particles that fill a box.
     fn shell<T: Real, const D: usize>(&self, region: &Region, layers: u64) -> Vec<Vector<T, D>> {
         let (low, high) = (array::<D>(&region.low), array::<D>(&region.high));

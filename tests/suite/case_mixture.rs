@@ -1,0 +1,174 @@
+//! Cases of soil and water together: good ones give the same case again and the mixture they describe, broken
+//! ones say where, what and what is allowed.
+
+use crate::case_soil::{Mistake, read};
+use alluvium::case::{Case, Drag, SoilLaw};
+use alluvium::kernel::WendlandC2;
+use alluvium::mixture::{CouplingForm, Mixture, Slip, WallKind};
+use alluvium::time::{Evolve, LeapFrog};
+
+/// A jet on a saturated bed.
+const JET: &str = include_str!("../../examples/jet.toml");
+
+/// Water that seeps through held soil around an obstacle.
+const TUBE: &str = r#"
+name = "tube"
+end_time_s = 0.1
+[particles]
+spacing_m = 0.05
+[soil]
+reference_density_kg_per_m3 = 2650.0
+volume_fraction = 0.55
+bulk_modulus_pa = 0.7e6
+poissons_ratio = 0.3
+yield_surface = "elastic"
+[[soil.block]]
+low_m = [0.5, 0.0]
+high_m = [1.0, 0.4]
+held = true
+[[water.block]]
+low_m = [0.0, 0.0]
+high_m = [1.5, 0.4]
+[mixture]
+hydraulic_conductivity_m_per_s = 0.01
+[tank]
+low_m = [0.0, 0.0]
+high_m = [1.5, 1.2]
+open = ["+y"]
+[[tank.obstacle]]
+low_m = [0.5, 0.4]
+high_m = [1.0, 1.2]
+"#;
+
+fn mixture(text: &str) -> Mixture<f64, 2, WendlandC2<f64, 2>, SoilLaw<f64>> {
+    let case = read(text).0;
+    case.mixture(WendlandC2::new(case.smoothing_length()).unwrap()).unwrap()
+}
+
+#[test]
+fn the_case_is_the_same_again_with_every_default() {
+    for text in [JET, TUBE] {
+        let case = read(text).0;
+        assert_eq!(read(&case.to_string()).0, case);
+    }
+    let case = read(TUBE).0;
+    let mixing = case.mixing.clone().unwrap();
+    assert_eq!(mixing.coupling, CouplingForm::PressureDifference);
+    assert_eq!(mixing.drag, Drag::Darcy { conductivity: 0.01 });
+    let sound = case.water.as_ref().unwrap().sound_speed;
+    assert!((mixing.relaxation_time - 400.0 * case.smoothing_length() / sound).abs() < 1e-12);
+    // One and a half times the spacing of water in the soil.
+    assert!((case.particles.smoothing_ratio - 1.5 / 0.45_f64.sqrt()).abs() < 1e-12);
+    let paper = read(&format!("preset = \"paper\"\n{TUBE}")).0;
+    let mixing = paper.mixing.unwrap();
+    assert_eq!((mixing.coupling, mixing.relaxation_time), (CouplingForm::Printed, 0.0));
+    assert_eq!(paper.particles.smoothing_ratio, 1.0);
+}
+
+#[rustfmt::skip]
+const MISTAKES: &[Mistake] = &[
+    Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "", key: "mixture.hydraulic_conductivity_m_per_s", value: "", what: "missing key", allowed: "[m/s]" },
+    Mistake { from: "5e-4\n", to: "-5e-4\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "-5e-4", what: "is out of range", allowed: "above 0.0" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\ndrag = \"none\"\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "5e-4", what: "contradicts drag = \"none\"", allowed: "\"darcy\"" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\ncoupling = \"pressure difference\"\n", key: "mixture.coupling", value: "\"pressure difference\"", what: "did you mean \"pressure-difference\"?", allowed: "\"printed\"" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\nconductivity_m_per_s = 1.0\n", key: "mixture.conductivity_m_per_s", value: "1.0", what: "did you mean `hydraulic_conductivity_m_per_s`?", allowed: "density_relaxation_s" },
+    Mistake { from: "volume_fraction = 0.5", to: "volume_fraction = 1.0", key: "soil.volume_fraction", value: "1.0", what: "leaves water 0.00 of the space", allowed: "0.95" },
+    Mistake { from: "velocity_m_per_s = [0.0, -25.0]", to: "velocity_m_per_s = [1.0, -25.0]", key: "water.inflow[1].velocity_m_per_s", value: "[1.0, -25.0]", what: "is not along one of the axes", allowed: "one component" },
+    Mistake { from: "high_m = [0.23, 0.26]", to: "high_m = [0.23, 0.22]", key: "water.inflow[1].high_m[2]", value: "0.22", what: "shorter than the support", allowed: "at least 0.03" },
+    Mistake { from: "high_m = [0.23, 0.26]", to: "high_m = [0.234, 0.26]", key: "water.inflow[1].high_m[1]", value: "0.234", what: "does not hold a whole number of particles", allowed: "0.23" },
+    Mistake { from: "high_m = [1e6, -0.2]", to: "high_m = [1e6, -1e7]", key: "outlet[1].high_m[2]", value: "-1e7", what: "is not above low_m", allowed: "above -1000000.0" },
+    Mistake { from: "open = [\"+y\"]", to: "open = [\"+y\"]\nwater_slip = \"friction\"", key: "tank.water_slip", value: "\"friction\"", what: "is for soil", allowed: "\"free-slip\"" },
+    Mistake { from: "high_m = [0.45, 0.18]\nopen", to: "high_m = [0.45, 0.18]\nobstacle = [{ low_m = [0.1, 0.1], high_m = [0.5, 0.18] }]\nopen", key: "tank.obstacle[1].high_m[1]", value: "0.5", what: "is outside the tank", allowed: "0.45" },
+    Mistake { from: "[[soil.block]]\n", to: "[[soil.block]]\nheld = \"yes\"\n", key: "soil.block[1].held", value: "\"yes\"", what: "is a text", allowed: "true or false" },
+];
+
+#[test]
+fn every_mistake_is_named() {
+    for Mistake { from, to, key, value, what, allowed } in MISTAKES {
+        assert!(JET.contains(from), "{from}");
+        let error = Case::parse("case.toml", &JET.replacen(from, to, 1)).expect_err(to);
+        let found = error.problems.iter().find(|p| p.key == *key && p.what.contains(what));
+        let found = found.unwrap_or_else(|| panic!("`{to}`: no `{what}` for `{key}` in\n{error}"));
+        assert!(found.value.contains(value), "`{to}`: value `{}`", found.value);
+        assert!(found.allowed.contains(allowed), "`{to}`: allowed `{}`", found.allowed);
+    }
+    let alone = "name = \"a\"\nend_time_s = 1\nparticles.spacing_m = 0.01\nwater.block = [{ low_m = [0, 0], \
+                 high_m = [0.1, 0.1] }]\n[mixture]\nhydraulic_conductivity_m_per_s = 0.1\n";
+    let error = Case::parse("case.toml", alone).expect_err("water alone");
+    assert!(
+        error.problems.iter().any(|p| p.key == "mixture" && p.what.contains("nothing to couple")),
+        "{error}"
+    );
+}
+
+#[test]
+fn the_bed_is_buoyant_and_starts_at_rest() {
+    let mut mixture = mixture(JET);
+    let soil = mixture.soil();
+    for i in soil.wall_particles()..soil.len() {
+        let depth = 0.18 - soil.positions()[i][1];
+        let vertical = soil.memory(i).stress.0[1];
+        assert!((vertical + 1700.0 * 9.81 * depth).abs() < 1e-9, "{vertical} at a depth of {depth}");
+    }
+    mixture.evaluate().unwrap();
+    let (soil, water) = (mixture.soil(), mixture.water());
+    // Away from the surface, where kernels are cut off, nothing pulls.
+    for i in soil.wall_particles()..soil.len() {
+        let x = soil.positions()[i];
+        // The mean stress beside a wall is not that of the corner.
+        if x[1] < 0.13 && (0.02..0.43).contains(&x[0]) {
+            let a = soil.accelerations()[i].norm();
+            assert!(a < 0.1, "soil at {:?} falls by {a} m/s²", x.0);
+        }
+    }
+    for a in water.wall_particles()..water.len() {
+        if water.positions()[a][1] < 0.13 {
+            let pull = water.accelerations()[a].norm();
+            assert!(pull < 0.1, "water at {:?} falls by {pull} m/s²", water.positions()[a].0);
+            let fraction = water.volume_fraction(a);
+            assert!((fraction - 0.5).abs() < 0.01, "{fraction} beside walls full of soil too");
+        }
+    }
+    let given = water.walls().iter().filter(|wall| wall.kind() == WallKind::Given).count();
+    assert_eq!(given, 1, "a nozzle");
+}
+
+#[test]
+fn held_soil_stays_and_walls_without_soil_leave_the_water_its_space() {
+    let case = read(TUBE).0;
+    let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).unwrap();
+    let mut run = case.simulation(kernel, LeapFrog::new()).unwrap();
+    let held: Vec<_> = run.mixture().soil().positions().to_vec();
+    for _ in 0..20 {
+        run.step().unwrap();
+    }
+    let (soil, water) = (run.mixture().soil(), run.mixture().water());
+    assert_eq!(soil.len(), soil.wall_particles(), "all of it is held");
+    let mut now: Vec<_> = soil.positions().to_vec();
+    let order = |a: &alluvium::Vector<f64, 2>, b: &alluvium::Vector<f64, 2>| {
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+    };
+    let mut held = held;
+    held.sort_by(order);
+    now.sort_by(order);
+    assert_eq!(now, held);
+    for a in water.wall_particles()..water.len() {
+        let (x, fraction) = (water.positions()[a], water.volume_fraction(a));
+        let inside = if (0.7..0.8).contains(&x[0]) {
+            Some(0.45)
+        } else if x[0] < 0.2 || x[0] > 1.3 {
+            Some(1.0)
+        } else {
+            None
+        };
+        if let Some(expected) = inside {
+            assert!((fraction - expected).abs() < 0.01, "{fraction} for {expected} at {:?}", x.0);
+        }
+    }
+    let along = |wall: &alluvium::mixture::Wall<f64, 2>| match wall.kind() {
+        WallKind::Extrapolated { slip, .. } => Some(slip),
+        _ => None,
+    };
+    assert!(soil.walls().iter().filter_map(along).all(|slip| slip == Slip::NoSlip));
+    assert!(water.walls().iter().filter_map(along).all(|slip| slip == Slip::FreeSlip));
+}
