@@ -27,6 +27,7 @@ mod operators;
 mod operators_exact;
 mod powers;
 mod scene;
+mod seepage;
 mod soil;
 mod soil_cut;
 mod soil_plate;
@@ -57,6 +58,7 @@ fn studies() -> Vec<Study> {
         still_tank::studies(),
         powers::studies(),
         mixture_rates::studies(),
+        seepage::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),
