@@ -29,6 +29,7 @@ mod powers;
 mod scene;
 mod seepage;
 mod soil;
+mod soil_cut;
 mod soil_plate;
 mod soil_rates;
 mod soil_walls;
@@ -64,6 +65,7 @@ fn studies() -> Vec<Study> {
         tanks::studies(),
         drops::studies(),
         soil_rates::studies(),
+        soil_cut::studies(),
         soil_plate::studies(),
         soil_walls::studies(),
         soil_waves::studies(),
