@@ -2,7 +2,7 @@
 //! (`f32`, `f64`) and dimension (2, 3), and the same to the last bit on any number of threads.
 //!
 //! > A mixture is two phases; a phase is particles plus a law; a law turns deformation into stress; a
-//! > sum turns neighbours into derivatives; time knows three verbs.
+//! > sum turns neighbours into derivatives; time knows four verbs.
 //!
 //! The method is that of Wang, Wang, Peng & Meng (2016), *J. Hydraul. Eng.*,
 //! [10.1061/(ASCE)HY.1943-7900.0001163](https://doi.org/10.1061/(ASCE)HY.1943-7900.0001163); numbers in
@@ -48,7 +48,7 @@
 //! | [`kernel`], [`neighbours`], [`summation`] | W and its slope; who is near whom; sums for values and derivatives |
 //! | [`material`] | laws: water; soil and its yield surfaces |
 //! | [`driver`] | a law driven along a path of strain and stress, without particles |
-//! | [`time`] | the three verbs, integrators, step size |
+//! | [`time`] | the four verbs, integrators, step size |
 //! | [`mixture`] | phases, walls, the equations of a step, forensics |
 //! | [`setup`], [`preset`] | where particles start; the paper's numerical choices and the library's |
 //! | [`simulation`], [`budget`] | the driver; where mass, momentum and energy are |
@@ -71,6 +71,7 @@
 //! |---|---|---|
 //! | `rayon` | yes | several threads; the bits of the result stay |
 //! | `kd-tree` | | the kd-tree of kiddo as a neighbour search |
+//! | `implicit` | | drag between soil and water solved over the step: any conductivity at the step sound allows |
 //! | `serde` | | serialisable parameters and states |
 //! | `verify` | | the module `verify` |
 //! | `case` | | the module `case`: strict case files |

@@ -28,7 +28,9 @@ mod operators;
 mod operators_exact;
 mod powers;
 mod scene;
+mod seepage;
 mod soil;
+mod soil_cut;
 mod soil_plate;
 mod soil_rates;
 mod soil_walls;
@@ -57,12 +59,14 @@ fn studies() -> Vec<Study> {
         still_tank::studies(),
         powers::studies(),
         mixture_rates::studies(),
+        seepage::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),
         tanks::studies(),
         drops::studies(),
         soil_rates::studies(),
+        soil_cut::studies(),
         soil_plate::studies(),
         soil_walls::studies(),
         soil_waves::studies(),

@@ -98,6 +98,12 @@ impl<T: Real, const D: usize> Across<T, D> {
         self.neighbourhood.sum(formula, &self.records, sums);
     }
 
+    /// Calls `visit(a, r²)` for the water particles `a` near soil particle `i`.
+    #[cfg(feature = "implicit")]
+    pub(super) fn for_each_water_near(&self, i: usize, mut visit: impl FnMut(usize, T)) {
+        self.neighbourhood.for_each_neighbour(&self.positions, i, |j, _, r2| visit(j - self.soil, r2));
+    }
+
     /// Where the sums of water particle `a` stand.
     #[inline(always)]
     pub(super) fn water(&self, a: usize) -> usize {

@@ -88,6 +88,17 @@ pub enum StepError {
         /// Time \[s\].
         time: f64,
     },
+    /// The iteration for implicit drag did not converge.
+    DragUnsolved {
+        /// The residual it ended with.
+        residual: f64,
+        /// The largest allowed.
+        allowed: f64,
+        /// How many iterations were done.
+        iterations: usize,
+        /// Time \[s\].
+        time: f64,
+    },
 }
 
 impl fmt::Display for StepError {
@@ -109,6 +120,10 @@ impl fmt::Display for StepError {
             Self::StepTooLong { step, allowed, limit, time } => write!(
                 f,
                 "time step {step:.3e} s at t = {time:.6e} s is too long: the {limit} limit allows at most {allowed:.3e} s"
+            ),
+            Self::DragUnsolved { residual, allowed, iterations, time } => write!(
+                f,
+                "implicit drag at t = {time:.6e} s is not solved after {iterations} iterations: the residual is {residual:.3e}, allowed is {allowed:.3e}"
             ),
         }
     }

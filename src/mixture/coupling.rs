@@ -113,6 +113,8 @@ pub(super) struct Coupling<T: Real, const D: usize> {
     pub(super) form: CouplingForm,
     pub(super) drag: Arc<dyn DragLaw<T>>,
     pub(super) drag_rate: DragRate<T>,
+    /// Whether drag is among the forces, or solved over the step.
+    pub(super) drag_is_evaluated: bool,
     sums: Sums<T>,
 }
 
@@ -124,6 +126,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             form: CouplingForm::default(),
             drag: Arc::new(NoDrag),
             drag_rate: DragRate { soil: T::ZERO, water: T::ZERO },
+            drag_is_evaluated: true,
             sums: Sums::default(),
         }
     }
@@ -200,7 +203,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
                 continue;
             }
             let grains = soil.phase.grains(i);
-            let (push, rate) = push(&self.sums, i, grains / soil.phase.mass[i], soil.phase.density(i));
+            let (push, rate) = self.push(i, grains / soil.phase.mass[i], soil.phase.density(i));
             soil.phase.rate.acceleration[i] += push;
             fastest = fastest.max(rate);
         }
@@ -212,7 +215,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         for a in 0..water.phase.len() {
             let at = self.across.water(a);
             let density = water.phase.density(a);
-            let (push, rate) = push(&self.sums, at, T::ONE / density, density);
+            let (push, rate) = self.push(at, T::ONE / density, density);
             water.phase.rate.acceleration[a] += push;
             // K_ia v_ia² summed over the pairs of a, each once: V_a V_i C W v².
             let drag_power = self.sums.get(at, 2 * D + sum::DRAG_POWER);
@@ -221,8 +224,20 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             water.add_density_rate(a, -self.sums.get(at, 2 * D + sum::COMPRESSION));
         }
         self.drag_rate.water = fastest;
-        water.exchange_rate.taken[Account::Drag] += power;
+        if self.drag_is_evaluated {
+            water.exchange_rate.taken[Account::Drag] += power;
+        }
         water.exchange_rate.taken[Account::WallExtrapolation] -= self.pores.extrapolation_power;
+    }
+
+    /// Acceleration \[m/s²\] of the particle in row `i` by the other constituent, and how fast drag acts on it
+    /// \[1/s\]. `weight` is w/m, `density` partial: V/m = 1/ρ.
+    fn push(&self, i: usize, weight: T, density: T) -> (Vector<T, D>, T) {
+        let force: Vector<T, D> = vector_sum(&self.sums, i, 0);
+        let drag: Vector<T, D> = vector_sum(&self.sums, i, D);
+        let inverse = T::ONE / density;
+        let push = if self.drag_is_evaluated { force * weight + drag * inverse } else { force * weight };
+        (push, self.sums.get(i, 2 * D + sum::DRAG) * inverse)
     }
 
     /// The longest step \[s\] explicit drag allows: half of that at which leap-frog (71) with its half-step
@@ -236,13 +251,4 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     pub(super) fn bytes(&self) -> usize {
         self.across.bytes() + self.sums.bytes()
     }
-}
-
-/// Acceleration \[m/s²\] of the particle in row `i` by the other constituent, and how fast drag acts on it
-/// \[1/s\]. `weight` is w/m, `density` partial: V/m = 1/ρ.
-fn push<T: Real, const D: usize>(sums: &Sums<T>, i: usize, weight: T, density: T) -> (Vector<T, D>, T) {
-    let force: Vector<T, D> = vector_sum(sums, i, 0);
-    let drag: Vector<T, D> = vector_sum(sums, i, D);
-    let inverse = T::ONE / density;
-    (force * weight + drag * inverse, sums.get(i, 2 * D + sum::DRAG) * inverse)
 }

@@ -13,6 +13,8 @@ mod evaluation;
 mod evolve;
 mod extrapolation;
 mod filling;
+#[cfg(feature = "implicit")]
+mod implicit_drag;
 mod ledger;
 mod momentum;
 mod numerics;
@@ -41,6 +43,8 @@ pub use artificial_stress::ArtificialStress;
 pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
+#[cfg(feature = "implicit")]
+pub use implicit_drag::DragScheme;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;
@@ -96,6 +100,8 @@ pub struct Mixture<
     soil: Constituent<T, D, S>,
     water: Constituent<T, D, F>,
     coupling: Coupling<T, D>,
+    #[cfg(feature = "implicit")]
+    implicit_drag: implicit_drag::ImplicitDrag<T, D>,
     relaxation: Option<Relaxation<T>>,
     exchanged: [Exchange<D>; 2],
     /// Whether the water's volume fractions are those of its place.
@@ -142,6 +148,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         Self {
             setting: Setting::new(kernel),
             coupling: Coupling::new(Neighbourhood::new(Box::new(CellList::default()), support)),
+            #[cfg(feature = "implicit")]
+            implicit_drag: implicit_drag::ImplicitDrag::default(),
             soil: Constituent::new(Role::Soil, soil, support),
             water: Constituent::new(Role::Water, water, support),
             relaxation: None,
@@ -214,10 +222,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     pub fn limits(&self) -> Limits<T> {
         let h = self.setting.kernel.smoothing_length();
         let own = self.soil.limits(h).shorter(self.water.limits(h));
-        if self.is_shared() { Limits { drag: self.coupling.drag_limit(), ..own } } else { own }
+        let drag_limits = self.is_shared() && self.coupling.drag_is_evaluated;
+        if drag_limits { Limits { drag: self.coupling.drag_limit(), ..own } } else { own }
     }
 
-    /// Energy taken by each account per time \[W\] and force on the particles \[N\] at the last evaluation.
+    /// Energy taken by each account per time \[W\] and force on the particles \[N\] at the last evaluation,
+    /// without drag where that is solved over the step.
     pub fn exchange_rate(&self) -> Exchange<D> {
         self.soil.exchange_rate + self.water.exchange_rate
     }
@@ -257,6 +267,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
         }
         self.soil.settle(&self.setting)?;
         self.water.settle(&self.setting)?;
+        #[cfg(feature = "implicit")]
+        self.implicit_drag.keep_before(&self.water.phase.rate.acceleration);
         self.share_space(); // (68)
         let setting = &self.setting;
         self.water.find_state(setting); // (16), (20)
@@ -269,12 +281,24 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
             self.water.relax_density(setting, relaxation);
         }
         self.soil.conclude(setting)?;
-        self.water.conclude(setting)
+        self.water.conclude(setting)?;
+        #[cfg(feature = "implicit")]
+        self.implicit_drag
+            .keep_without([&self.soil.phase.rate.acceleration, &self.water.phase.rate.acceleration]);
+        Ok(())
+    }
+
+    #[cfg(feature = "implicit")]
+    fn complete(&mut self, base: Moment, dt: T) -> Result<(), StepError> {
+        self.complete_with_drag(base, dt)
     }
 
     fn advance(&mut self, target: Moment, base: Moment, dt: T) {
+        let rate = self.exchange_rate();
+        #[cfg(feature = "implicit")]
+        let rate = rate + self.drag_exchange(base, dt);
         let returned = self.soil.phase.advance(target, base, dt) + self.water.phase.advance(target, base, dt);
-        let mut exchanged = self.exchanged[base as usize] + self.exchange_rate() * dt.as_f64();
+        let mut exchanged = self.exchanged[base as usize] + rate * dt.as_f64();
         exchanged.taken = exchanged.taken + returned;
         self.exchanged[target as usize] = exchanged;
     }

@@ -58,6 +58,9 @@ pub struct MixtureState<T: Real, const D: usize, S, F> {
     drag_rate: DragRate<T>,
     /// Where the particles were when those of the other constituent were listed, and their shifts.
     across: (Vec<Vector<T, D>>, Vec<Vector<T, D>>),
+    /// Accelerations of soil and water without drag, where that is solved over the step.
+    #[cfg(feature = "implicit")]
+    without_drag: [Vec<Vector<T, D>>; 2],
     started: bool,
 }
 
@@ -182,6 +185,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             exchanged: self.exchanged,
             drag_rate: self.coupling.drag_rate,
             across: self.coupling.across.listed(),
+            #[cfg(feature = "implicit")]
+            without_drag: self.implicit_drag.without.clone(),
             started: self.started,
         }
     }
@@ -201,6 +206,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.coupling.drag_rate = state.drag_rate;
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.list_again(state.across, self.soil.phase.len(), sorted);
+        #[cfg(feature = "implicit")]
+        self.implicit_drag.restore(state.without_drag);
         self.started = state.started;
         Ok(())
     }

@@ -37,9 +37,11 @@ impl<T: Real> Integrator<T> for LeapFrog<T> {
         let half = T::of(0.5);
         system.evaluate()?;
         if self.previous.is_none() {
+            system.complete(Moment::Now, dt)?;
             system.advance(Moment::Half, Moment::Now, -(half * dt));
         }
         let kick = half * (self.previous.unwrap_or(dt) + dt);
+        system.complete(Moment::Half, kick)?;
         system.advance(Moment::Half, Moment::Half, kick); // (71)
         system.drift(Moment::Half, dt); // (72)
         system.advance(Moment::Now, Moment::Half, half * dt);

@@ -1,4 +1,4 @@
-//! Time: three verbs, and the integrators that order them.
+//! Time: a system's verbs, and the integrators that order them.
 //!
 //! An integrator knows nothing of particles: it evaluates rates, advances fields and drifts positions
 //! of whatever can [`Evolve`].
@@ -32,6 +32,16 @@ pub trait Evolve<T: Real> {
     /// # Errors
     /// The rates are not usable.
     fn evaluate(&mut self) -> Result<(), Self::Error>;
+    /// Completes the rates with those so stiff that they are solved over a step of `dt` \[s\] from the fields
+    /// `base`, right before the kick that does that step. May come several times after an evaluation, and each
+    /// time begins with what that left. Most systems have no such rates.
+    ///
+    /// # Errors
+    /// There is no solution.
+    fn complete(&mut self, base: Moment, dt: T) -> Result<(), Self::Error> {
+        let _ = (base, dt);
+        Ok(())
+    }
     /// `X_target ← X_base + dt · DX/Dt`, made admissible; positions stay.
     fn advance(&mut self, target: Moment, base: Moment, dt: T);
     /// `x ← x + dt · v_moment` and `t ← t + dt` \[s\].

@@ -32,10 +32,12 @@ impl<T: Real> Integrator<T> for VelocityVerlet {
             system.evaluate()?;
             self.started = true;
         }
+        system.complete(Moment::Now, half)?;
         system.advance(Moment::Half, Moment::Now, half);
         system.drift(Moment::Half, dt);
         system.advance(Moment::Now, Moment::Half, half);
         system.evaluate()?;
+        system.complete(Moment::Half, half)?;
         system.advance(Moment::Now, Moment::Half, half);
         Ok(())
     }

@@ -17,6 +17,8 @@ mod errata;
 mod fingerprint;
 mod forensics;
 mod from_outside;
+#[cfg(feature = "implicit")]
+mod implicit_drag;
 mod integrators;
 mod kernels;
 mod lane_code;

@@ -1,0 +1,187 @@
+//! Drag solved over a step instead of evaluated: any conductivity at the step sound allows.
+//!
+//! With the pair coefficients `K_ia = V_i V_a C_a W_ia` \[kg/s\], drag is `−L v` with the Laplacian L of the
+//! graph of pairs, and its step from the velocities `v` with the other accelerations `a` is
+//!
+//! $$(M + \Delta t\,L)\,v' = M\,(v + \Delta t\,a).$$
+//!
+//! What the integrator gets is the *effective* acceleration `(v' − v)/Δt`, so that its own predictions hold
+//! drag as well.
+
+mod pairs;
+mod solve;
+
+use super::phase::Phase;
+use super::{Mixture, StepError};
+use crate::budget::{Account, Exchange};
+use crate::kernel::Kernel;
+use crate::material::Material;
+use crate::parallel;
+use crate::real::Real;
+use crate::space::Vector;
+use crate::time::Moment;
+use pairs::Pairs;
+use solve::System;
+
+/// How drag between soil and water goes through a time step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum DragScheme {
+    /// Evaluated like any force: it limits the step, the harder the lower the conductivity.
+    #[default]
+    Explicit,
+    /// Backward Euler: of first order, damps a slip by 1/(1 + Δt/t_s) and never reverses it; the right
+    /// terminal slip at any step.
+    BackwardEuler,
+    /// The two-stage method SDIRK2 with γ = 1 − 1/√2 (Alexander 1977): of second order where Δt < t_s,
+    /// damps stiff slip as well, but may reverse a small part of it; two solves.
+    SecondOrder,
+}
+
+/// γ of SDIRK2.
+const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
+
+/// What implicit drag keeps between an evaluation and the kicks that follow.
+pub(super) struct ImplicitDrag<T: Real, const D: usize> {
+    scheme: DragScheme,
+    /// Accelerations of soil and water without drag, at the last evaluation.
+    pub(super) without: [Vec<Vector<T, D>>; 2],
+    /// The water's accelerations before that evaluation: the solve begins there.
+    before: Option<Vec<Vector<T, D>>>,
+}
+
+impl<T: Real, const D: usize> Default for ImplicitDrag<T, D> {
+    fn default() -> Self {
+        Self { scheme: DragScheme::Explicit, without: [Vec::new(), Vec::new()], before: None }
+    }
+}
+
+impl<T: Real, const D: usize> ImplicitDrag<T, D> {
+    fn is_on(&self) -> bool {
+        self.scheme != DragScheme::Explicit
+    }
+
+    /// Before an evaluation, which writes over the water's accelerations.
+    pub(super) fn keep_before(&mut self, water: &[Vector<T, D>]) {
+        if self.is_on() {
+            self.before = Some(water.to_vec());
+        }
+    }
+
+    /// After an evaluation.
+    pub(super) fn keep_without(&mut self, accelerations: [&[Vector<T, D>]; 2]) {
+        if self.is_on() {
+            self.without = accelerations.map(<[_]>::to_vec);
+        }
+    }
+
+    /// Goes back to what another evaluation left.
+    pub(super) fn restore(&mut self, without: [Vec<Vector<T, D>>; 2]) {
+        (self.without, self.before) = (without, None);
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
+    /// How drag goes through a step: evaluated explicitly by default; to be chosen before the first
+    /// evaluation.
+    pub fn with_drag_scheme(mut self, scheme: DragScheme) -> Self {
+        self.implicit_drag.scheme = scheme;
+        self.coupling.drag_is_evaluated = scheme == DragScheme::Explicit;
+        self
+    }
+
+    /// Adds to the accelerations the drag over a step of `dt` \[s\] from the velocities `base`.
+    pub(super) fn complete_with_drag(&mut self, base: Moment, dt: T) -> Result<(), StepError> {
+        if !self.implicit_drag.is_on() || !self.is_shared() {
+            return Ok(());
+        }
+        let (soil, water) = (&self.soil.phase, &self.water.phase);
+        let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
+        self.coupling.across.find_neighbours(&soil.position, &water.position, sorted);
+        let pairs = Pairs::of(&self.coupling, &self.setting.kernel, soil, water);
+        let begin = self.implicit_drag.before.take();
+        let begin = begin.as_deref().unwrap_or(&water.rate.acceleration);
+        let velocity = joined([&soil.fields(base).velocity, &water.fields(base).velocity]);
+        let [of_soil, of_water] = &self.implicit_drag.without;
+        let without = joined([of_soil, of_water]);
+        let masses = soil.mass.iter().chain(&water.mass).map(|m| m.as_f64()).collect();
+        let held = [soil.wall_particles(), water.wall_particles()];
+
+        let dt = dt.as_f64();
+        let over = |step| System::new(&pairs, masses, held, step);
+        let begin: Vec<_> = begin.iter().map(in_double).collect();
+        let effective = match self.implicit_drag.scheme {
+            DragScheme::Explicit => return Ok(()),
+            DragScheme::BackwardEuler => over(dt).accelerations(&velocity, &without, &begin),
+            DragScheme::SecondOrder => {
+                let system = over(GAMMA * dt);
+                system.accelerations(&velocity, &without, &begin).and_then(|first| {
+                    let there = system.moved(&velocity, &first, (1.0 - GAMMA) * dt);
+                    let second = system.accelerations(&there, &without, &first[soil.len()..])?;
+                    Ok(first.iter().zip(&second).map(|(&k, &l)| k * (1.0 - GAMMA) + l * GAMMA).collect())
+                })
+            }
+        };
+        let effective = effective.map_err(|unsolved| StepError::DragUnsolved {
+            residual: unsolved.residual,
+            allowed: unsolved.allowed,
+            iterations: unsolved.iterations,
+            time: self.setting.time,
+        })?;
+        let (of_soil, of_water) = effective.split_at(soil.len());
+        put(&mut self.soil.phase, of_soil);
+        put(&mut self.water.phase, of_water);
+        Ok(())
+    }
+
+    /// What drag takes and gives per time over a step of `dt` \[s\] from the fields `base`: the work of the
+    /// effective accelerations less those without drag, at the mean of the velocities before and after.
+    pub(super) fn drag_exchange(&self, base: Moment, dt: T) -> Exchange<D> {
+        if !self.implicit_drag.is_on() || !self.is_shared() {
+            return Exchange::default();
+        }
+        let [soil, water] = &self.implicit_drag.without;
+        work(&self.soil.phase, soil, base, dt) + work(&self.water.phase, water, base, dt)
+    }
+}
+
+fn in_double<T: Real, const D: usize>(x: &Vector<T, D>) -> Vector<f64, D> {
+    Vector(x.as_f64())
+}
+
+fn joined<T: Real, const D: usize>(parts: [&Vec<Vector<T, D>>; 2]) -> Vec<Vector<f64, D>> {
+    parts.into_iter().flatten().map(in_double).collect()
+}
+
+fn put<T: Real, const D: usize, M: Material<T>>(phase: &mut Phase<T, D, M>, values: &[Vector<f64, D>]) {
+    for (a, value) in phase.rate.acceleration.iter_mut().zip(values) {
+        *a = Vector::of(value.0);
+    }
+}
+
+/// A phase's part of [`Mixture::drag_exchange`].
+fn work<T: Real, const D: usize, M: Material<T>>(
+    phase: &Phase<T, D, M>,
+    without: &[Vector<T, D>],
+    base: Moment,
+    dt: T,
+) -> Exchange<D> {
+    let walls = phase.wall_particles();
+    let of = |range: core::ops::Range<usize>| {
+        let mut sum = Exchange::default();
+        for i in range {
+            let acceleration = in_double(&phase.rate.acceleration[i]);
+            let force = (acceleration - in_double(&without[i])) * phase.mass[i].as_f64();
+            let mut velocity = in_double(&phase.fields(base).velocity[i]);
+            if i < walls {
+                sum.taken[Account::WallWork] += force.dot(velocity);
+                sum.impulse -= force;
+            } else {
+                velocity += acceleration * (0.5 * dt.as_f64());
+            }
+            sum.taken[Account::Drag] -= force.dot(velocity);
+        }
+        sum
+    };
+    parallel::reduce(phase.len(), Exchange::default(), of, |a, b| a + b)
+}

@@ -1,0 +1,117 @@
+//! Who drags whom, and how hard: the pair coefficients as a sparse matrix.
+
+use crate::kernel::Kernel;
+use crate::material::Material;
+use crate::mixture::Phase;
+use crate::mixture::coupling::Coupling;
+use crate::parallel;
+use crate::real::Real;
+
+/// Rows of a sparse matrix.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rows {
+    /// Where each row ends; it begins where the one before ends.
+    ends: Vec<usize>,
+    columns: Vec<u32>,
+    values: Vec<f64>,
+}
+
+impl Rows {
+    /// Columns and values of a row.
+    #[inline(always)]
+    pub(super) fn of(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
+        let start = if row > 0 { self.ends[row - 1] } else { 0 };
+        let entries = start..self.ends[row];
+        self.columns[entries.clone()].iter().map(|&j| j as usize).zip(self.values[entries].iter().copied())
+    }
+
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The sum of a row.
+    pub(super) fn sum(&self, row: usize) -> f64 {
+        self.of(row).map(|(_, value)| value).sum()
+    }
+
+    fn push(&mut self, column: usize, value: f64) {
+        self.columns.push(column as u32);
+        self.values.push(value);
+    }
+
+    fn end_row(&mut self) {
+        self.ends.push(self.columns.len());
+    }
+
+    /// These rows, and the others below.
+    fn above(mut self, others: &Self) -> Self {
+        let before = self.columns.len();
+        self.ends.extend(others.ends.iter().map(|end| before + end));
+        self.columns.extend_from_slice(&others.columns);
+        self.values.extend_from_slice(&others.values);
+        self
+    }
+
+    /// The matrix of `columns` columns transposed, with the same bits.
+    fn transposed(&self, columns: usize) -> Self {
+        let mut starts = vec![0; columns + 1];
+        for &j in &self.columns {
+            starts[j as usize + 1] += 1;
+        }
+        for j in 0..columns {
+            starts[j + 1] += starts[j];
+        }
+        let ends = starts[1..].to_vec();
+        let mut turned =
+            Self { ends, columns: vec![0; self.columns.len()], values: vec![0.0; self.values.len()] };
+        for row in 0..self.len() {
+            for (j, value) in self.of(row) {
+                turned.columns[starts[j]] = row as u32;
+                turned.values[starts[j]] = value;
+                starts[j] += 1;
+            }
+        }
+        turned
+    }
+}
+
+/// K_ia = V_i V_a C_a W_ia \[kg/s\] of each pair of soil and water, by soil and by water.
+pub(super) struct Pairs {
+    pub(super) of_soil: Rows,
+    pub(super) of_water: Rows,
+}
+
+impl Pairs {
+    /// With the neighbours listed last, and the densities and fractions of now.
+    pub(super) fn of<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+        coupling: &Coupling<T, D>,
+        kernel: &K,
+        soil: &Phase<T, D, S>,
+        water: &Phase<T, D, F>,
+    ) -> Self {
+        let law = &*coupling.drag;
+        // V_a C_a.
+        let strengths: Vec<f64> = (0..water.len())
+            .map(|a| {
+                (water.volume(a) * law.coefficient(water.volume_fraction(a), water.true_density(a))).as_f64()
+            })
+            .collect();
+        let rows = |range: core::ops::Range<usize>| {
+            let mut rows = Rows::default();
+            for i in range {
+                if !soil.is_apart(i) {
+                    let volume = soil.volume(i).as_f64();
+                    coupling.across.for_each_water_near(i, |a, r2| {
+                        rows.push(a, volume * strengths[a] * kernel.value(r2).as_f64());
+                    });
+                }
+                rows.end_row();
+            }
+            rows
+        };
+        let of_soil = parallel::reduce(soil.len(), Rows::default(), rows, |above, below| above.above(&below));
+        let of_water = of_soil.transposed(water.len());
+        Self { of_soil, of_water }
+    }
+}

@@ -1,0 +1,161 @@
+//! Water in soil, in time: it seeps through as Darcy's law has it, and rests where it should.
+
+use crate::soil::elastic;
+use crate::water::periodic;
+use alluvium::kernel::WendlandC2;
+use alluvium::material::{
+    Conductivity, Cone, Darcy, DragLaw, DruckerPrager, Elasticity, LateralRatio, Soil, Water,
+};
+use alluvium::mixture::{Mixture, Phase, Slip, Wall};
+use alluvium::simulation::Simulation;
+use alluvium::time::{LeapFrog, StepSize};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
+use alluvium::{Real, SymTensor, Vector, setup};
+
+const TRUE_WEIGHT: &str = "γ_w with the true density";
+const CUBED: &str = "φ_f cubed";
+const DRY: &str = "soil laid under its dry weight";
+const GRAVITY: f64 = 9.81;
+
+pub fn studies() -> Vec<Study> {
+    vec![
+        darcy::<f64, 2>("mixture/darcy/2d/f64"),
+        darcy::<f64, 3>("mixture/darcy/3d/f64"),
+        darcy::<f32, 2>("mixture/darcy/2d/f32"),
+        rest("mixture/saturated bed/quick", 0.00625, 0.0, 0.02),
+        rest("mixture/saturated bed/as in the paper", 0.005, 0.0, 0.5).level(Level::Full),
+        rest("mixture/saturated bed/under water", 0.005, 0.05, 0.5).level(Level::Full),
+    ]
+}
+
+/// A law of drag with another power of φ.
+#[derive(Debug)]
+struct Powered<T> {
+    right: Darcy<T>,
+    power: i32,
+}
+
+impl<T: Real> DragLaw<T> for Powered<T> {
+    fn coefficient(&self, fraction: T, true_density: T) -> T {
+        self.right.coefficient(T::ONE, true_density) * fraction.powi(self.power)
+    }
+}
+
+/// Water that a slope drives through soil that is held, in a box that repeats itself.
+fn darcy<T: Real, const D: usize>(name: &str) -> Study {
+    Study::new(
+        name,
+        "through soil that is held, water driven by a slope i seeps at q = φ_f v = k i (value: q/(k i) less \
+         one, the mean over a way of one spacing)",
+        |conditions| {
+            let power = match (conditions.is(TRUE_WEIGHT), conditions.is(CUBED)) {
+                (true, _) => 1,
+                (_, true) => 3,
+                _ => 2,
+            };
+            Measured::value(seepage::<T, D>(power) - 1.0)
+        },
+    )
+    .equations(&["37", "55", "58", "68"])
+    .source("Darcy's law; the drag's kernel sum is one within 1 % wherever the water stands")
+    .expect(Expected::Bound { largest: 0.01 })
+    .mutant(TRUE_WEIGHT)
+    .mutant(CUBED)
+}
+
+/// q/(k i).
+fn seepage<T: Real, const D: usize>(power: i32) -> f64 {
+    let (side, spacing, k, slope) = (if D == 2 { 1.0 } else { 0.5 }, 0.05, 0.05, 2.0);
+    let (fraction, volume) = (0.55, T::of(f64::powi(spacing, D as i32)));
+    let places = setup::fill::<T, D>([0.0; D], [side; D], spacing);
+    let mut soil = Phase::new(elastic::<T>());
+    soil.add_wall(Wall::dynamic(), &places, volume, |_| T::ZERO).expect("soil that is held");
+    soil.set_volume_fraction(|_| T::of(fraction));
+    let mut water = Phase::new(Water::new(T::of(1000.0), T::of(30.0)).expect("water"));
+    water.add(&places, volume, |_| T::of(1e3)).expect("water");
+    let speed = k * slope / (1.0 - fraction);
+    let mut pull = Vector::zero();
+    pull[0] = T::of(slope * GRAVITY);
+    let mut start = Vector::zero();
+    start[0] = T::of(speed);
+    water.set_velocity(|_| start);
+    let right = Darcy::new(Conductivity::new(T::of(k)).expect("a conductivity"));
+    let mixture = Mixture::new(WendlandC2::new(T::of(1.5 * spacing)).expect("a length"), soil, water)
+        .with_gravity(pull)
+        .with_periodic(periodic([side; D]))
+        .with_drag(Powered { right, power });
+    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).expect("a number"));
+    let (quiet, end) = (0.1, 0.1 + spacing / speed);
+    let (mut flow, mut time) = (0.0, 0.0);
+    while run.time() < end {
+        let step = run.step().expect("a step");
+        if run.time() > quiet {
+            let water = run.mixture().water();
+            let along = |a: usize| (water.volume_fraction(a) * water.velocities()[a][0]).as_f64();
+            flow += step.length * (0..water.len()).map(along).sum::<f64>() / water.len() as f64;
+            time += step.length;
+        }
+    }
+    flow / time / (k * slope)
+}
+
+/// The bed of the paper's jet (Table 3), without a jet, under `above` \[m\] of water.
+fn rest(name: &str, spacing: f64, above: f64, end: f64) -> Study {
+    Study::new(
+        name,
+        "a saturated bed of soil laid under its buoyant weight rests (values: rms velocity in m/s)",
+        move |conditions| Measured::values(velocities(spacing, above, end, conditions)),
+    )
+    .equations(&["55", "58", "68", "75", "76"])
+    .source("nothing drives it")
+    .expect(Expected::Bound { largest: 1e-5 })
+    .mutant(DRY)
+}
+
+fn velocities(spacing: f64, above: f64, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
+    let (width, height, volume) = (0.45, 0.175, spacing * spacing);
+    let level = height + (above / spacing).round() * spacing;
+    let weight = if conditions.is(DRY) { 2700.0 } else { 1700.0 } * GRAVITY;
+    let elasticity = Elasticity::from_bulk(125e6, 0.3).expect("moduli");
+    let cone = DruckerPrager::new(Cone::PlaneStrain, 25_f64.to_radians(), 0.0).expect("a cone");
+    let ratio = LateralRatio::new(&elasticity, &cone).admissible();
+    let walls: Vec<Vector<f64, 2>> =
+        setup::tank([0.0; 2], [width, level], spacing, 3, [(true, true), (true, false)]);
+    let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < height);
+    let mut soil = Phase::new(Soil::new(2700.0, elasticity, cone).expect("a soil"));
+    let sticks = || Wall::extrapolated(Slip::NoSlip);
+    soil.add_wall(sticks(), &beside, volume, |_| 0.0).expect("walls");
+    soil.add_wall(sticks().apart(), &over, volume, |_| 0.0).expect("walls");
+    soil.add(&setup::fill([0.0; 2], [width, height], spacing), volume, |_| 0.0).expect("soil");
+    soil.set_volume_fraction(|_| 0.5);
+    soil.set_stress(|x| {
+        let vertical = -weight * (height - x[1]).max(0.0);
+        let mut stress = SymTensor::isotropic(ratio * vertical);
+        stress.0[SymTensor::<f64>::index(1, 1)] = vertical;
+        stress
+    });
+    let mut water = Phase::new(Water::new(1000.0, 250.0).expect("water"));
+    let pressure = setup::hydrostatic(1000.0, GRAVITY, 1, level);
+    water.add_wall(Wall::extrapolated(Slip::FreeSlip), &walls, volume, &pressure).expect("walls");
+    water.add(&setup::fill([0.0; 2], [width, level], spacing), volume, &pressure).expect("water");
+    let h = 1.5 * spacing;
+    let mixture = Mixture::new(WendlandC2::new(h).expect("a length"), soil, water)
+        .with_gravity(Vector([0.0, -GRAVITY]))
+        .with_drag(Darcy::new(Conductivity::new(5e-4).expect("a conductivity")))
+        .with_density_relaxation(400.0 * h / 250.0)
+        .expect("a time");
+    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
+    while run.time() < end {
+        if let Err(error) = run.step() {
+            return vec![(error.to_string(), f64::INFINITY)];
+        }
+    }
+    let rms = |velocities: &[Vector<f64, 2>]| {
+        (velocities.iter().map(|v| v.norm2()).sum::<f64>() / velocities.len() as f64).sqrt()
+    };
+    let (soil, water) = (run.mixture().soil(), run.mixture().water());
+    vec![
+        ("soil".to_owned(), rms(&soil.velocities()[soil.wall_particles()..])),
+        ("water".to_owned(), rms(&water.velocities()[water.wall_particles()..])),
+    ]
+}
