@@ -136,7 +136,7 @@ mod closing {
     /// Reinitialisation takes the suction away.
     pub const REINITIALISED: Closing = Closing { dynamic: false, reinitialise_every: 20, ..DYNAMIC };
     /// At h = Δx the vibration is faster: closure is 5.6e-3 at the paper's own step, which is a Courant number
-    /// of 0.2, and 0.3 at 0.3 (docs/decisions/0014-the-papers-dam-break.md).
+    /// of 0.2, and 0.3 at 0.3 (docs/decisions/0016-the-papers-dam-break.md).
     pub const PAPER: Closing = Closing { preset: Paper, courant: 0.1, reinitialise_every: 20, ..DYNAMIC };
 }
 
