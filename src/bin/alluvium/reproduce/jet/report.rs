@@ -3,10 +3,11 @@
 use super::{Jet, Look, Watch};
 use crate::plots::{Chart, Series};
 use crate::reproduce::bars::Bars;
+use crate::reproduce::head;
 use crate::reproduce::ledger::Ledger;
 use crate::run::Finished;
 use crate::solver::quantity;
-use alluvium::case::{Case, StepSize};
+use alluvium::case::Case;
 use alluvium::output::Table;
 use alluvium::verify::jet::TANK;
 
@@ -15,26 +16,11 @@ const MEASURED: f64 = 0.01;
 
 /// What was run.
 pub fn head(case: &Case, finished: &Finished, jet: &Jet) -> String {
-    let (moving, walls) = finished.particles;
-    let step = match case.time.step {
-        StepSize::Courant(courant) => format!("Courant number {courant}"),
-        StepSize::Fixed(step) => format!("fixed step {step:e} s"),
-    };
-    format!(
-        "# Excavation of saturated soil by a jet\n\nPreset `{}`, Δx = {} m, h = {} Δx, k = {:e} m/s, ψ = {}°, \
-         φ_s = {}, {}, {step}: {moving} particles at the end and {walls} of walls, {} steps to {} s in \
-         {:.0} s.\n\n",
-        case.preset,
-        case.particles.spacing,
-        case.particles.smoothing_ratio,
-        jet.conductivity,
-        jet.dilatancy,
-        jet.fraction,
-        case.precision,
-        finished.steps,
-        case.end_time,
-        finished.wall_clock
-    )
+    let more = format!(
+        " h = {} Δx, k = {:e} m/s, ψ = {}°, φ_s = {}.",
+        case.particles.smoothing_ratio, jet.conductivity, jet.dilatancy, jet.fraction
+    );
+    head::of_report("Excavation of saturated soil by a jet", "soil and water", case, finished, &more)
 }
 
 /// One line per bar.

@@ -3,6 +3,7 @@
 use super::CONDUCTIVITY;
 use crate::plots::{Chart, Series};
 use crate::reproduce::bars::Bars;
+use crate::reproduce::head;
 use crate::reproduce::ledger::Ledger;
 use crate::run::Finished;
 use alluvium::case::Case;
@@ -14,18 +15,8 @@ const EARLY: f64 = 20.0;
 
 /// What was run.
 pub fn head(case: &Case, finished: &Finished) -> String {
-    let (moving, walls) = finished.particles;
-    format!(
-        "# Flow through soil in a U-tube\n\nPreset `{}`, Δx = {} m, h = {:.3} m, k = {CONDUCTIVITY} m/s, {}: \
-         {moving} particles of water, {walls} of walls and soil, {} steps to {} s in {:.0} s.\n\n",
-        case.preset,
-        case.particles.spacing,
-        case.smoothing_length(),
-        case.precision,
-        finished.steps,
-        case.end_time,
-        finished.wall_clock
-    )
+    let more = format!(" h = {:.3} m, k = {CONDUCTIVITY} m/s.", case.smoothing_length());
+    head::of_report("Flow through soil in a U-tube", "water", case, finished, &more)
 }
 
 /// One line per bar.
