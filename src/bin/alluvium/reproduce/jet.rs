@@ -5,12 +5,11 @@ pub(super) mod series;
 
 use super::bad_table;
 use super::ledger::Ledger;
-use crate::arguments::{OutputOptions, PrecisionName, PresetName, ReproduceOptions};
+use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Panel, ParticlePicture};
 use crate::run::{Finished, run_case};
 use crate::solver::{Parcels, Solver};
-use alluvium::Preset;
 use alluvium::case::{Case, Warnings};
 use alluvium::output::Table;
 use alluvium::verify::jet::{FALL, Hole, NOZZLE, SPEED, TANK};
@@ -68,14 +67,11 @@ impl Jet {
 
     fn text(&self, options: &ReproduceOptions) -> String {
         // In soil, water is 1.4 spacings apart: 1.5 are enough for what is measured in a hundredth of a second.
-        let (preset, sizes) = match options.preset {
-            PresetName::Default => (Preset::Default, "smoothing_ratio = 1.5"),
-            PresetName::Paper => (Preset::Paper, ""),
+        let sizes = match options.preset {
+            PresetName::Default => "smoothing_ratio = 1.5",
+            PresetName::Paper => "",
         };
-        let precision = match options.precision {
-            PrecisionName::F32 => "f32",
-            PrecisionName::F64 => "f64",
-        };
+        let (preset, precision) = (options.preset.preset(), options.precision.name());
         let Self { name, spacing, conductivity, fraction, dilatancy, dumps } = self;
         let [width, height] = TANK;
         let (left, right, mouth) = (0.5 * (width - NOZZLE), 0.5 * (width + NOZZLE), height + FALL);

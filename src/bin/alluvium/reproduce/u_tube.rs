@@ -4,12 +4,11 @@ mod report;
 
 use super::bad_table;
 use super::ledger::Ledger;
-use crate::arguments::{PrecisionName, PresetName, ReproduceOptions};
+use crate::arguments::{PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Panel, ParticlePicture};
 use crate::run::{Finished, run_case};
 use crate::solver::Solver;
-use alluvium::Preset;
 use alluvium::case::Case;
 use alluvium::output::{Table, TableWriter};
 use alluvium::verify::u_tube::{ARMS, CHANNEL, LEVELS, Levels, POROSITY, SPACING, WIDTH, exact_difference};
@@ -38,14 +37,11 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
 /// millimetre only.
 fn text(options: &ReproduceOptions) -> String {
     let (end, interval) = if options.quick { (QUICK_END, 0.5) } else { (END, 2.0) };
-    let (preset, sizes) = match options.preset {
-        PresetName::Default => (Preset::Default, "smoothing_ratio = 1.9"),
-        PresetName::Paper => (Preset::Paper, ""),
+    let sizes = match options.preset {
+        PresetName::Default => "smoothing_ratio = 1.9",
+        PresetName::Paper => "",
     };
-    let precision = match options.precision {
-        PrecisionName::F32 => "f32",
-        PrecisionName::F64 => "f64",
-    };
+    let (preset, precision) = (options.preset.preset(), options.precision.name());
     let at = |n: usize| n as f64 * SPACING;
     let (tube, channel, top) = (at(WIDTH), at(CHANNEL), at(WIDTH + ARMS));
     let (begin, end_of_soil) = (WIDTH, CHANNEL - WIDTH);
