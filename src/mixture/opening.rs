@@ -106,8 +106,13 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             let beyond = |x: &Vector<T, D>| if rises { x[axis] >= mouth } else { x[axis] <= mouth };
             let passed = |i: &usize| self.body[*i] == body && beyond(&self.position[*i]);
             let passed: Vec<usize> = (0..self.wall_particles).filter(passed).collect();
+            if passed.is_empty() {
+                continue;
+            }
+            // Who is let go stands behind all others, and once more in the wall.
+            let order: Vec<u32> = (0..self.len()).chain(passed.iter().copied()).map(|i| i as u32).collect();
+            self.permute(&order);
             for i in passed {
-                self.repeat(i);
                 self.position[i][axis] += if rises { -length } else { length };
                 (self.mass[i], self.volume_fraction[i]) = (mass, T::ONE);
                 (self.now.excess[i], self.half.excess[i]) = (excess, excess);
@@ -117,34 +122,6 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
                 self.id[i] = self.next_id;
                 self.next_id += 1;
             }
-        }
-    }
-
-    /// Appends a particle as particle `i` is.
-    fn repeat(&mut self, i: usize) {
-        fn push<X: Copy>(array: &mut Vec<X>, i: usize) {
-            array.push(array[i]);
-        }
-        push(&mut self.id, i);
-        push(&mut self.body, i);
-        push(&mut self.position, i);
-        push(&mut self.mass, i);
-        push(&mut self.volume_fraction, i);
-        if let Some(fraction) = &mut self.evolving_fraction {
-            push(&mut fraction.half, i);
-            push(&mut fraction.rate, i);
-        }
-        for fields in [&mut self.now, &mut self.half] {
-            push(&mut fields.velocity, i);
-            push(&mut fields.excess, i);
-            push(&mut fields.memory, i);
-        }
-        push(&mut self.rate.acceleration, i);
-        push(&mut self.rate.excess, i);
-        push(&mut self.rate.memory, i);
-        push(&mut self.pressure, i);
-        if self.deviator.len() + 1 == self.position.len() {
-            push(&mut self.deviator, i);
         }
     }
 }

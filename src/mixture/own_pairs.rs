@@ -5,7 +5,7 @@ use super::momentum::{self, Viscosity};
 use crate::kernel::Kernel;
 use crate::real::{Num, Real};
 use crate::space::Vector;
-use crate::summation::{MOST, PairFormula, Record, add_vector, number, vector};
+use crate::summation::{MOST, PairFormula, Record, add_vector, number, symmetric, vector};
 
 /// The formula of the pass. `STRESS` adds the deviatoric part.
 pub(crate) struct OwnPairs<T, K, const D: usize, const STRESS: bool> {
@@ -66,17 +66,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
 
     #[inline(always)]
     fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Own<N, D> {
-        let mut stress = [Vector::zero(); D];
-        if STRESS {
-            let mut k = 2 * D + 4;
-            for a in 0..D {
-                for b in a..D {
-                    stress[a].0[b] = number(record, k);
-                    stress[b].0[a] = number(record, k);
-                    k += 1;
-                }
-            }
-        }
+        let stress = if STRESS { symmetric(record, 2 * D + 4) } else { [Vector::zero(); D] };
         Own {
             x: vector(record, 0),
             v: vector(record, D),

@@ -332,7 +332,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     }
 
     /// Puts all arrays into another order: particle `order[k]` comes to place `k`. Who is not in the order,
-    /// and no wall's, is gone.
+    /// and no wall's, is gone; who is in it twice is there twice.
     pub(crate) fn permute(&mut self, order: &[u32]) {
         if self.deviator.len() == self.position.len() {
             permute(&mut self.deviator, order);
@@ -375,10 +375,11 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
 }
 
 fn permute<X: Copy + Send + Sync>(array: &mut Vec<X>, order: &[u32]) {
+    let Some(&any) = array.first() else { return };
     if size_of::<X>() == 0 {
-        array.truncate(order.len());
+        array.resize(order.len(), any);
     } else {
-        let mut sorted = array[..order.len()].to_vec();
+        let mut sorted = vec![any; order.len()];
         parallel::for_each_part(&mut sorted, 1, CHUNK, &|first, part: &mut [X]| {
             for (x, &i) in part.iter_mut().zip(&order[first..]) {
                 *x = array[i as usize];

@@ -14,7 +14,7 @@ use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::real::{Num, Real};
 use crate::space::{SymTensor, Vector};
-use crate::summation::{MOST, PairFormula, Record, add_vector, number, vector};
+use crate::summation::{MOST, PairFormula, Record, add_vector, number, symmetric, vector};
 
 /// What a wall particle offers soil that glides along it; zeros where it holds.
 #[derive(Clone, Copy, Debug)]
@@ -99,15 +99,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Rubbing<K, D> 
 
     #[inline(always)]
     fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Pressed<N, D> {
-        let mut stress = [Vector::zero(); D];
-        let mut k = 3 * D + 1;
-        for a in 0..D {
-            for b in a..D {
-                stress[a].0[b] = number(record, k);
-                stress[b].0[a] = number(record, k);
-                k += 1;
-            }
-        }
+        let stress = symmetric(record, 3 * D + 1);
         Pressed {
             x: vector(record, 0),
             mass: number(record, D),

@@ -8,7 +8,7 @@ use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::real::{Num, Real};
 use crate::space::{SymTensor, Vector};
-use crate::summation::{MOST, PairFormula, Record, number, vector};
+use crate::summation::{MOST, PairFormula, Record, number, symmetric, vector};
 
 /// `Σ_i m_i F [T_i x·(ṽ_w − v_w) + T_w x·(v_i − v_w)]` for wall particle `w` over the fluid beside it, with
 /// `T = τφ/ρ²` and `∇W = F x`; record: x, v, ṽ, m, T.
@@ -62,15 +62,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for WallFriction<K
 
     #[inline(always)]
     fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Sticky<N, D> {
-        let mut stress = [Vector::zero(); D];
-        let mut k = 3 * D + 1;
-        for a in 0..D {
-            for b in a..D {
-                stress[a].0[b] = number(record, k);
-                stress[b].0[a] = number(record, k);
-                k += 1;
-            }
-        }
+        let stress = symmetric(record, 3 * D + 1);
         Sticky {
             x: vector(record, 0),
             v: vector(record, D),

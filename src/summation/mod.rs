@@ -11,4 +11,4 @@ pub use corrections::Corrections;
 pub use neighbourhood::Neighbourhood;
 pub use operators::{Cloud, Form};
 pub(crate) use pair_sum::{Aligned, MOST, PairFormula, Sums, pair_sum};
-pub(crate) use record::{Record, add_vector, number, vector};
+pub(crate) use record::{Record, add_vector, number, symmetric, vector};

@@ -22,6 +22,20 @@ pub(crate) fn vector<N: Num, const D: usize>(record: &Record<N>, k: usize) -> Ve
     x
 }
 
+/// The rows of the symmetric tensor whose upper triangle begins at number `k`.
+#[inline(always)]
+pub(crate) fn symmetric<N: Num, const D: usize>(record: &Record<N>, mut k: usize) -> [Vector<N, D>; D] {
+    let mut rows = [Vector::zero(); D];
+    for a in 0..D {
+        for b in a..D {
+            rows[a].0[b] = number(record, k);
+            rows[b].0[a] = number(record, k);
+            k += 1;
+        }
+    }
+    rows
+}
+
 /// Adds a vector to the sums that begin at `k`.
 #[inline(always)]
 pub(crate) fn add_vector<N: Num, const D: usize>(sums: &mut [N], k: usize, x: Vector<N, D>) {

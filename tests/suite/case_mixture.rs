@@ -1,7 +1,7 @@
 //! Cases of soil and water together: good ones give the same case again and the mixture they describe, broken
 //! ones say where, what and what is allowed.
 
-use crate::case_soil::{Mistake, read};
+use crate::case_soil::{Mistake, each_is_named, read};
 use alluvium::case::{Case, Drag, SoilLaw};
 use alluvium::kernel::WendlandC2;
 use alluvium::mixture::{CouplingForm, Mixture, Slip, WallKind};
@@ -84,14 +84,7 @@ const MISTAKES: &[Mistake] = &[
 
 #[test]
 fn every_mistake_is_named() {
-    for Mistake { from, to, key, value, what, allowed } in MISTAKES {
-        assert!(JET.contains(from), "{from}");
-        let error = Case::parse("case.toml", &JET.replacen(from, to, 1)).expect_err(to);
-        let found = error.problems.iter().find(|p| p.key == *key && p.what.contains(what));
-        let found = found.unwrap_or_else(|| panic!("`{to}`: no `{what}` for `{key}` in\n{error}"));
-        assert!(found.value.contains(value), "`{to}`: value `{}`", found.value);
-        assert!(found.allowed.contains(allowed), "`{to}`: allowed `{}`", found.allowed);
-    }
+    each_is_named(JET, MISTAKES);
     let alone = "name = \"a\"\nend_time_s = 1\nparticles.spacing_m = 0.01\nwater.block = [{ low_m = [0, 0], \
                  high_m = [0.1, 0.1] }]\n[mixture]\nhydraulic_conductivity_m_per_s = 0.1\n";
     let error = Case::parse("case.toml", alone).expect_err("water alone");

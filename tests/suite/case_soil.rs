@@ -92,9 +92,14 @@ pub const MISTAKES: &[Mistake] = &[
 #[test]
 fn every_mistake_is_named() {
     const { assert!(MISTAKES.len() >= 15) };
-    for Mistake { from, to, key, value, what, allowed } in MISTAKES {
-        assert!(SAND.contains(from), "{from}");
-        let error = Case::parse("case.toml", &SAND.replacen(from, to, 1)).expect_err(to);
+    each_is_named(SAND, MISTAKES);
+}
+
+/// Whether each mistake in a good case is answered as it says.
+pub fn each_is_named(good: &str, mistakes: &[Mistake]) {
+    for Mistake { from, to, key, value, what, allowed } in mistakes {
+        assert!(good.contains(from), "{from}");
+        let error = Case::parse("case.toml", &good.replacen(from, to, 1)).expect_err(to);
         let found = error.problems.iter().find(|p| p.key == *key && p.what.contains(what));
         let found = found.unwrap_or_else(|| panic!("`{to}`: no `{what}` for `{key}` in\n{error}"));
         assert!(found.value.contains(value), "`{to}`: value `{}`", found.value);
