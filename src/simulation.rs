@@ -184,6 +184,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>, I
         &self.mixture
     }
 
+    /// The mixture, without what drove it.
+    pub fn into_mixture(self) -> Mixture<T, D, K, S, F> {
+        self.mixture
+    }
+
     /// The particles, to change them from outside.
     pub fn mixture_mut(&mut self) -> &mut Mixture<T, D, K, S, F> {
         &mut self.mixture

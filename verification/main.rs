@@ -23,7 +23,9 @@ mod flags;
 mod identity;
 mod kernels;
 mod lattice_sums;
+mod manufactured;
 mod mixture_rates;
+mod motions;
 mod operators;
 mod operators_exact;
 mod powers;
@@ -60,6 +62,7 @@ fn studies() -> Vec<Study> {
         powers::studies(),
         mixture_rates::studies(),
         seepage::studies(),
+        manufactured::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),

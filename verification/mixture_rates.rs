@@ -6,8 +6,8 @@ use crate::soil::{GRAINS, elastic, elasticity};
 use crate::water::{periodic, water};
 use alluvium::budget::Account;
 use alluvium::kernel::{Kernel, WendlandC2};
-use alluvium::material::{Conductivity, Darcy, DragLaw, Soil, Unyielding, Water};
-use alluvium::mixture::{ArtificialViscosity, CouplingForm, DensityDiffusion, Mixture, Phase, Wall};
+use alluvium::material::{Conductivity, Darcy, DragLaw, Soil, SoilMemory, Unyielding, Water};
+use alluvium::mixture::{ArtificialViscosity, CouplingForm, DensityDiffusion, Mixture, Phase, Source, Wall};
 use alluvium::time::Evolve;
 use alluvium::verify::{Arrangement, Conditions, Expected, Measured, Study};
 use alluvium::{Real, SymTensor, Vector, setup};
@@ -17,7 +17,8 @@ type Both<T, const D: usize> = Mixture<T, D, WendlandC2<T, D>, Soil<T, Unyieldin
 const SOURCE: &str =
     "chain rule: force, density rate and fraction rate are conjugate pair by pair (docs/decisions)";
 const NO_FRACTION: &str = "the volume fraction's rate (69) left out of the true density's";
-const DROPPED: [(&str, Account); 4] = [
+const DROPPED: [(&str, Account); 5] = [
+    ("sources not booked", Account::External),
     ("drag not booked", Account::Drag),
     ("relaxation not booked", Account::Relaxation),
     ("density diffusion not booked", Account::DensityDiffusion),
@@ -31,11 +32,27 @@ const CUBED: &str = "φ_f cubed";
 
 pub fn studies() -> Vec<Study> {
     let mut studies = vec![
-        identity::<f64, 2>("mixture/powers/2d/f64", CouplingForm::PressureDifference, 1e-13),
-        identity::<f64, 3>("mixture/powers/3d/f64", CouplingForm::PressureDifference, 1e-13),
-        identity::<f32, 2>("mixture/powers/2d/f32", CouplingForm::PressureDifference, 1e-5),
-        identity::<f32, 3>("mixture/powers/3d/f32", CouplingForm::PressureDifference, 1e-5),
-        identity::<f64, 2>("mixture/powers/printed/2d/f64", CouplingForm::Printed, 1e-13),
+        identity::<f64, 2>("mixture/powers/2d/f64", (CouplingForm::PressureDifference, false), 1e-13),
+        identity::<f64, 3>("mixture/powers/3d/f64", (CouplingForm::PressureDifference, false), 1e-13),
+        identity::<f32, 2>("mixture/powers/2d/f32", (CouplingForm::PressureDifference, false), 1e-5),
+        identity::<f32, 3>("mixture/powers/3d/f32", (CouplingForm::PressureDifference, false), 1e-5),
+        identity::<f64, 2>("mixture/powers/printed/2d/f64", (CouplingForm::Printed, false), 1e-13),
+        identity::<f64, 2>(
+            "mixture/powers/corrected/2d/f64",
+            (CouplingForm::PressureDifference, true),
+            1e-13,
+        ),
+        identity::<f64, 3>(
+            "mixture/powers/corrected/3d/f64",
+            (CouplingForm::PressureDifference, true),
+            1e-13,
+        ),
+        identity::<f32, 2>("mixture/powers/corrected/2d/f32", (CouplingForm::PressureDifference, true), 1e-5),
+        identity::<f64, 2>(
+            "mixture/powers/printed and corrected/2d/f64",
+            (CouplingForm::Printed, true),
+            1e-13,
+        ),
         momentum::<f64, 2>("mixture/momentum/2d/f64", 1e-13),
         momentum::<f64, 3>("mixture/momentum/3d/f64", 1e-13),
         momentum::<f32, 2>("mixture/momentum/2d/f32", 1e-5),
@@ -52,14 +69,21 @@ pub fn studies() -> Vec<Study> {
     studies
 }
 
-fn identity<T: Real, const D: usize>(name: &str, form: CouplingForm, largest: f64) -> Study {
+/// For a form of the coupling, with gradients corrected or not.
+fn identity<T: Real, const D: usize>(
+    name: &str,
+    (form, corrected): (CouplingForm, bool),
+    largest: f64,
+) -> Study {
     let study = Study::new(
         name,
         "in every evaluation of soil and water, on particles anywhere, the powers of all terms add up to the \
          change of energy",
         move |conditions| {
             Measured::values((1..=3).map(|seed| {
-                (format!("cloud {seed}"), residual(cloud::<T, D>(seed).with_coupling(form), conditions))
+                let cloud = with_sources(cloud::<T, D>(seed)).with_coupling(form);
+                let cloud = if corrected { cloud.with_gradient_correction() } else { cloud };
+                (format!("cloud {seed}"), residual(cloud, conditions))
             }))
         },
     )
@@ -110,6 +134,16 @@ fn cloud<T: Real, const D: usize>(seed: u64) -> Both<T, D> {
         .and_then(|mixture| mixture.with_density_diffusion(DensityDiffusion::TrueDensity(T::of(0.1))))
         .and_then(|mixture| mixture.with_density_relaxation(T::of(0.01)))
         .expect("numerics")
+}
+
+/// The same with a source for each.
+fn with_sources<T: Real, const D: usize>(cloud: Both<T, D>) -> Both<T, D> {
+    cloud
+        .with_soil_source(|x, _| {
+            let stress = SymTensor(core::array::from_fn(|k| T::of(1e5 * random(x, 41 + k as u64))));
+            Source { acceleration: Vector::splat(x[0] * T::of(3.0)), memory: SoilMemory::stressed(stress) }
+        })
+        .with_water_source(|x, _| Source { acceleration: Vector::splat(x[1] * T::of(2.0)), memory: () })
 }
 
 /// |Σ of all powers| / Σ |terms|.

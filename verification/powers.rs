@@ -28,16 +28,24 @@ const NO_WALL: &str = "compression of the extrapolated wall not booked";
 
 pub fn studies() -> Vec<Study> {
     let mut studies = vec![
-        identity::<f64, 2>("powers/dynamic walls/2d/f64", WallKind::Dynamic, 1e-13),
-        identity::<f64, 3>("powers/dynamic walls/3d/f64", WallKind::Dynamic, 1e-13),
-        identity::<f32, 2>("powers/dynamic walls/2d/f32", WallKind::Dynamic, 1e-5),
-        identity::<f32, 3>("powers/dynamic walls/3d/f32", WallKind::Dynamic, 1e-5),
+        identity::<f64, 2>("powers/dynamic walls/2d/f64", (WallKind::Dynamic, false), 1e-13),
+        identity::<f64, 3>("powers/dynamic walls/3d/f64", (WallKind::Dynamic, false), 1e-13),
+        identity::<f32, 2>("powers/dynamic walls/2d/f32", (WallKind::Dynamic, false), 1e-5),
+        identity::<f32, 3>("powers/dynamic walls/3d/f32", (WallKind::Dynamic, false), 1e-5),
     ];
     for (name, slip) in [("no slip", Slip::NoSlip), ("free slip", Slip::FreeSlip)] {
         let kind = WallKind::Extrapolated { slip, suction: true };
-        studies.push(identity::<f64, 2>(&format!("powers/{name} walls/2d/f64"), kind, 1e-13));
+        studies.push(identity::<f64, 2>(&format!("powers/{name} walls/2d/f64"), (kind, false), 1e-13));
+        studies.push(identity::<f64, 2>(
+            &format!("powers/corrected/{name} walls/2d/f64"),
+            (kind, true),
+            1e-13,
+        ));
     }
     studies.extend([
+        identity::<f64, 2>("powers/corrected/2d/f64", (WallKind::Dynamic, true), 1e-13),
+        identity::<f64, 3>("powers/corrected/3d/f64", (WallKind::Dynamic, true), 1e-13),
+        identity::<f32, 2>("powers/corrected/2d/f32", (WallKind::Dynamic, true), 1e-5),
         jump::<f64, 2>("jump/2d/f64", 1e-13),
         jump::<f64, 3>("jump/3d/f64", 1e-13),
         jump::<f32, 2>("jump/2d/f32", 1e-5),
@@ -45,13 +53,14 @@ pub fn studies() -> Vec<Study> {
     studies
 }
 
-fn identity<T: Real, const D: usize>(name: &str, kind: WallKind, largest: f64) -> Study {
+/// With walls of a kind, with gradients corrected or not.
+fn identity<T: Real, const D: usize>(name: &str, (kind, corrected): (WallKind, bool), largest: f64) -> Study {
     let study = Study::new(
         name,
         "in every evaluation, on particles anywhere, the powers of all terms add up to the change of energy",
         move |conditions| {
-            let residuals =
-                (1..=3).map(|seed| (format!("cloud {seed}"), residual::<T, D>(kind, seed, conditions)));
+            let residuals = (1..=3)
+                .map(|seed| (format!("cloud {seed}"), residual::<T, D>((kind, corrected), seed, conditions)));
             Measured::values(residuals)
         },
     )
@@ -97,8 +106,15 @@ fn cloud<T: Real, const D: usize>(kind: WallKind, seed: u64) -> WaterMixture<T, 
 }
 
 /// |Σ of all powers| / Σ |terms|.
-fn residual<T: Real, const D: usize>(kind: WallKind, seed: u64, conditions: &Conditions) -> f64 {
+fn residual<T: Real, const D: usize>(
+    (kind, corrected): (WallKind, bool),
+    seed: u64,
+    conditions: &Conditions,
+) -> f64 {
     let mut mixture = cloud::<T, D>(kind, seed);
+    if corrected {
+        mixture = mixture.with_gradient_correction();
+    }
     if conditions.is(PRINTED) {
         mixture = mixture.with_gradient_weight(GradientWeight::Printed);
     }

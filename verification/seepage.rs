@@ -30,9 +30,9 @@ pub fn studies() -> Vec<Study> {
 
 /// A law of drag with another power of φ.
 #[derive(Debug)]
-struct Powered<T> {
-    right: Darcy<T>,
-    power: i32,
+pub struct Powered<T> {
+    pub right: Darcy<T>,
+    pub power: i32,
 }
 
 impl<T: Real> DragLaw<T> for Powered<T> {

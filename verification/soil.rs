@@ -22,6 +22,13 @@ pub fn elastic<T: Real>() -> Soil<T, Unyielding> {
     Soil::new(T::of(GRAINS), elasticity(), Unyielding).expect("a soil")
 }
 
+/// Soil of these grains \[kg/m³\] that never yields, of bulk and shear modulus \[Pa\].
+pub fn elastic_of<T: Real>(grains: f64, bulk: f64, shear: f64) -> Soil<T, Unyielding> {
+    let ratio = (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear);
+    let elasticity = Elasticity::from_bulk(T::of(bulk), T::of(ratio)).expect("moduli");
+    Soil::new(T::of(grains), elasticity, Unyielding).expect("a soil")
+}
+
 /// Soil on that cone.
 pub fn on_cone<T: Real>(cone: DruckerPrager<T>) -> Soil<T> {
     Soil::new(T::of(GRAINS), elasticity(), cone).expect("a soil")

@@ -1,6 +1,7 @@
 //! A phase and what its own equations need: who is near whom, numerics, buffers.
 
 use super::setting::Setting;
+use super::source::SourceField;
 use super::wall_contact::Contact;
 use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Phase, StepError};
 use crate::budget::Exchange;
@@ -28,7 +29,11 @@ pub(super) struct Constituent<T: Real, const D: usize, M: Material<T>> {
     pub(super) diffusion: DensityDiffusion<T>,
     pub(super) gradient_weight: GradientWeight,
     pub(super) strain_control: T,
+    /// Whether gradients are exact for linear fields.
+    pub(super) is_corrected: bool,
     pub(super) artificial_stress: Option<ArtificialStress<T>>,
+    /// What acts on it alone, from outside.
+    pub(super) source: Option<SourceField<T, D, M::Memory>>,
     /// Whether the pressure of water acts on all of its space, of which the coupling takes the soil's part.
     pub(super) shares_pressure: bool,
     /// Density of the water that bears part of each soil particle's weight \[kg/m³\]; empty without water.
@@ -56,6 +61,10 @@ pub(super) struct Scratch<T: Real, const D: usize> {
     pub(super) reached: Vec<bool>,
     /// ∇v by rows \[1/s\]; empty without strain control.
     pub(super) velocity_gradient: Vec<[Vector<T, D>; D]>,
+    /// B by rows \[-\]; empty unless gradients are corrected.
+    pub(super) correction: Vec<[Vector<T, D>; D]>,
+    /// ∇·v \[1/s\]; empty unless gradients are corrected.
+    pub(super) expansion: Vec<T>,
 }
 
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
@@ -73,7 +82,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             diffusion,
             gradient_weight: GradientWeight::default(),
             strain_control: T::ZERO,
+            is_corrected: false,
             artificial_stress: None,
+            source: None,
             shares_pressure: false,
             buoyancy: Vec::new(),
             exchange_rate: Exchange::default(),
@@ -119,6 +130,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// What comes from outside, and a look at the result.
     pub(super) fn conclude<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
         self.add_body_forces(setting);
+        self.add_source(setting);
         self.check_rates(setting)
     }
 

@@ -64,7 +64,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
     /// Continuity (52), (53) and the phase's own part of momentum (55), (58).
     pub(super) fn sum_own_pairs<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
-        match (self.phase.material().needs_velocity_gradient(), self.shares_pressure) {
+        let stress = self.phase.material().needs_velocity_gradient() && !self.is_corrected;
+        match (stress, self.shares_pressure) {
             (true, false) => self.sum_own_pairs_with::<true, K>(setting),
             (false, false) => self.sum_own_pairs_with::<false, K>(setting),
             (true, true) => self.sum_shared_pairs_with::<true, K>(setting),
@@ -73,7 +74,13 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if self.shares_pressure {
             self.weigh_shared_sums();
         }
+        if self.is_corrected {
+            self.put_expansion();
+        }
         self.collect_rates(setting);
+        if self.is_corrected {
+            self.add_corrected_force(setting);
+        }
     }
 
     /// Whether this is water that shares its space with soil.
@@ -114,7 +121,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         let shared = self.shares_pressure;
         let reference = self.phase.material().reference_density();
         let partial = matches!(self.diffusion, DensityDiffusion::PartialDensity(_));
-        let phase = &self.phase;
+        // Corrected, the force of the stress is a sum of its own.
+        let (phase, corrected) = (&self.phase, self.is_corrected);
         let (o, one) = (T::ZERO, T::ONE);
         // Density one keeps the division of (59) finite; volume zero takes the dummy out.
         let dummy: &[T] = if D == 2 { &[o, o, o, one] } else { &[o, o, o, o, one] };
@@ -129,7 +137,11 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 record[..D].copy_from_slice(&phase.now.velocity[i].0);
                 record[D] = if phase.is_gliding(i) { -volume } else { volume };
                 record[D + 1] = density;
-                record[D + 2] = if shared { phase.pressure[i] } else { phase.pressure[i] * pull };
+                record[D + 2] = match (corrected, shared) {
+                    (true, _) => T::ZERO,
+                    (false, true) => phase.pressure[i],
+                    (false, false) => phase.pressure[i] * pull,
+                };
                 record[D + 3] = if partial { density / reference } else { phase.compression(i) };
                 if STRESS {
                     let mut k = D + 4;

@@ -71,7 +71,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             }
             self.add_dissipation(walls.clamp(slice.start, slice.end)..slice.end, &mut terms);
         }
-        if setting.force.is_some() {
+        if setting.force.is_some() || self.source.is_some() {
             terms.falling_mass = [0.0; LANES];
             self.add_force(setting, walls..range.end, &mut terms);
         }
@@ -152,21 +152,27 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
     }
 
-    /// What gravity and the body force give to particles that are no wall's.
+    /// What gravity, the body force and the source give to particles that are no wall's.
     fn add_force<K: Kernel<T, D>>(
         &self,
         setting: &Setting<T, D, K>,
         range: Range<usize>,
         terms: &mut Terms<D>,
     ) {
-        let (phase, Some(force)) = (&self.phase, &setting.force) else { return };
+        let phase = &self.phase;
         for i in range {
             let (mass, velocity) = (phase.mass[i].as_f64(), phase.now.velocity[i]);
-            let other = (force.acceleration)(&phase.position[i], setting.time);
-            if force.potential.is_none() {
-                terms.external -= mass * other.dot(velocity).as_f64();
+            let mut acceleration = setting.gravity;
+            if let Some(force) = &setting.force {
+                let other = (force.acceleration)(&phase.position[i], setting.time);
+                if force.potential.is_none() {
+                    terms.external -= mass * other.dot(velocity).as_f64();
+                }
+                acceleration += other;
             }
-            terms.impulse += Vector((setting.gravity + other).as_f64()) * mass;
+            let (power, force) = self.given_by_source(i, setting.time);
+            terms.external -= power;
+            terms.impulse += Vector(acceleration.as_f64()) * mass + force;
         }
     }
 

@@ -227,6 +227,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.deviator.get(i).copied().unwrap_or_default()
     }
 
+    /// Row `a` of the deviatoric stress \[Pa\], as far as it lies in the particles' space.
+    pub(super) fn deviator_row(&self, i: usize, a: usize) -> Vector<T, D> {
+        let tau = self.deviator(i);
+        Vector(core::array::from_fn(|b| tau.0[SymTensor::<T>::index(a, b)]))
+    }
+
     /// Stress σ = −p I + τ \[Pa\] of particle `i` at the last evaluation, positive in tension.
     pub fn stress(&self, i: usize) -> SymTensor<T> {
         self.deviator(i) - SymTensor::isotropic(self.pressure[i])

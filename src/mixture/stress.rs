@@ -1,6 +1,5 @@
 //! From the velocity gradient to stress: (62) → (14), (15).
 
-use super::GradientWeight;
 use super::constituent::Constituent;
 use super::evaluation::vector_sum;
 use super::setting::Setting;
@@ -16,27 +15,17 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Velocity gradient (62) → deviatoric stress (14), (15) and rate of the memory.
     pub(super) fn find_stress<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         self.exchange_rate.taken = Works::default();
+        if self.is_corrected {
+            self.find_corrected_expansion(setting);
+        }
         if !self.phase.material().needs_velocity_gradient() {
             return;
         }
-        let formula = VelocityGradient::<K, D> { kernel: setting.kernel.clone() };
-        let weight = self.gradient_weight;
-        let (phase, wall_velocity) = (&self.phase, &self.scratch.wall_velocity);
-        self.neighbourhood.pack::<VelocityGradient<K, D>>(
-            &phase.position,
-            &mut self.scratch.records,
-            &[T::ZERO; 4][..D + 1],
-            &|i, record: &mut [T]| {
-                let v = wall_velocity.get(i).unwrap_or(&phase.now.velocity[i]);
-                record[..D].copy_from_slice(&v.0);
-                record[D] = match weight {
-                    GradientWeight::Conjugate => phase.mass[i],
-                    GradientWeight::Printed => phase.volume(i),
-                };
-            },
-        );
-        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
+        self.sum_velocity_gradient(setting, true);
         self.take_contact_shear(setting);
+        if self.is_corrected {
+            self.correct_gradient_sums();
+        }
         self.apply_law();
         if self.has_extrapolated_walls() {
             if !M::RIGID_GRAINS {
@@ -44,6 +33,25 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             }
             self.book_wall_friction(setting);
         }
+    }
+
+    /// The sums of [`VelocityGradient`], with the velocities walls show viscosity, or those they have.
+    pub(super) fn sum_velocity_gradient<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>, shown: bool) {
+        let formula = VelocityGradient::<K, D> { kernel: setting.kernel.clone() };
+        let weight = self.effective_weight();
+        let (phase, wall_velocity) = (&self.phase, &self.scratch.wall_velocity);
+        self.neighbourhood.pack::<VelocityGradient<K, D>>(
+            &phase.position,
+            &mut self.scratch.records,
+            &[T::ZERO; 4][..D + 1],
+            &|i, record: &mut [T]| {
+                let own = &phase.now.velocity[i];
+                let v = if shown { wall_velocity.get(i).unwrap_or(own) } else { own };
+                record[..D].copy_from_slice(&v.0);
+                record[D] = weight.of(phase, i);
+            },
+        );
+        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
     }
 
     /// Deviatoric stress of a law that does not store it, rate of the memory, and what the law loses, all
@@ -86,11 +94,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     }
 
     /// ∂v^α/∂x^β of particle `i`, row α, from the sums of [`VelocityGradient`] \[1/s\].
-    fn velocity_gradient(&self, i: usize) -> [Vector<T, D>; D] {
-        let scale = match self.gradient_weight {
-            GradientWeight::Conjugate => T::ONE / self.phase.density(i),
-            GradientWeight::Printed => T::ONE,
-        };
+    pub(super) fn velocity_gradient(&self, i: usize) -> [Vector<T, D>; D] {
+        let scale = self.effective_weight().scale(&self.phase, i);
         core::array::from_fn(|a| vector_sum(&self.scratch.sums, i, a * D) * scale)
     }
 

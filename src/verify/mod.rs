@@ -29,6 +29,7 @@ mod environment;
 mod expected;
 pub mod jet;
 mod json;
+pub mod manufactured;
 mod norms;
 mod order;
 mod parcel;

@@ -1,0 +1,210 @@
+//! Manufactured motions in time: what is of second order, and what stays.
+
+use crate::motions::{
+    Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together, velocities,
+};
+use crate::seepage::Powered;
+use crate::soil::SpinningBack;
+use crate::water::Unpredicted;
+use alluvium::Real;
+use alluvium::time::{Integrator, LeapFrog, VelocityVerlet};
+use alluvium::verify::{Expected, Level, Measured, Study, relative_l2};
+
+const SOURCE: &str = "manufactured solution (Roache 1998), its sources by automatic differentiation";
+const IN_TIME: &str = "difference to the same particles in sixteen times as many steps";
+const DOUBLE: &str = "viscosity twice as large";
+const UNCORRECTED: &str = "gradients not corrected";
+const UNPREDICTED: &str = "half-step approximation left out";
+const SPIN: &str = "spin of the opposite sign";
+const CUBED: &str = "φ_f cubed in C_d";
+const TWICE: &str = "drag twice as strong";
+
+/// Particles along an edge.
+const SIDES: [usize; 3] = [12, 24, 48];
+const SIDES_3D: [usize; 3] = [8, 16, 24];
+
+pub fn studies() -> Vec<Study> {
+    vec![
+        water_in_space::<f64, 2, _>("manufactured/water/space/2d/f64", &SIDES, 1.0, VelocityVerlet::new)
+            .mutant(UNCORRECTED),
+        water_in_space::<f64, 2, _>("manufactured/water/space/leap-frog", &SIDES, 1.0, LeapFrog::new)
+            .mutant(UNCORRECTED),
+        water_in_space::<f32, 2, _>("manufactured/water/space/2d/f32", &SIDES, 2.0, VelocityVerlet::new),
+        water_in_space::<f64, 3, _>("manufactured/water/space/3d/f64", &SIDES_3D, 1.0, VelocityVerlet::new)
+            .level(Level::Full),
+        uncorrected(),
+        disordered(),
+        water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new),
+        water_in_time("manufactured/water/time/leap-frog", LeapFrog::new).mutant(UNPREDICTED),
+        both_in_space::<f64, 2>("manufactured/both/space/2d/f64", &SIDES),
+        both_in_space::<f32, 2>("manufactured/both/space/2d/f32", &SIDES),
+        both_in_space::<f64, 3>("manufactured/both/space/3d/f64", &[12, 18, 24]).level(Level::Full),
+        printed(),
+        both_in_time("manufactured/both/time/velocity-verlet", VelocityVerlet::new),
+        both_in_time("manufactured/both/time/leap-frog", LeapFrog::new).mutant(UNPREDICTED),
+    ]
+}
+
+fn water_in_space<T: Real, const D: usize, I: Integrator<T>>(
+    name: &str,
+    sides: &'static [usize],
+    ratio: f64,
+    integrator: fn() -> I,
+) -> Study {
+    Study::new(
+        name,
+        "with corrected gradients, viscous compressible flow converges at second order while its particles leave their \
+         lattice (values: relative error of the velocity)",
+        move |conditions| {
+            let viscosity = if conditions.is(DOUBLE) { 2.0 } else { 1.0 } * WATER.viscosity;
+            let corrected = !conditions.is(UNCORRECTED);
+            let run = |side| Run { corrected, ..Run::new(side, ratio) };
+            in_space(sides, |side| errors_alone(&alone::<T, D>(run(side), fluid(viscosity), integrator())).into())
+        },
+    )
+    .equations(&["14", "15", "16", "52", "58"])
+    .source(SOURCE)
+    .expect(Expected::order(2.0, 0.2))
+    .mutant(DOUBLE)
+}
+
+/// Errors at some resolutions: the first is judged, the others are reported.
+fn in_space(sides: &[usize], errors: impl Fn(usize) -> Vec<f64>) -> Measured {
+    let all: Vec<_> = sides.iter().map(|&side| (1.0 / side as f64, errors(side))).collect();
+    let measured = Measured::errors(all.iter().map(|(spacing, errors)| (*spacing, errors[0])));
+    all.iter().fold(measured, |measured, (spacing, errors)| {
+        let others: Vec<_> = errors[1..].iter().map(|error| format!("{error:.3e}")).collect();
+        measured.note(format!("at Δx = {spacing:.4} the other fields are off by {}", others.join(", ")))
+    })
+}
+
+/// As the paper has it, at h = Δx.
+fn uncorrected() -> Study {
+    Study::new(
+        "manufactured/water/uncorrected",
+        "without the correction, at h = Δx, the error of the velocity stops falling where eight neighbours leave it",
+        |_| {
+            in_space(&SIDES, |side| {
+                let run = Run { corrected: false, ..Run::new(side, 1.0) };
+                errors_alone(&alone::<f64, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new())).into()
+            })
+        },
+    )
+    .equations(&["52", "58"])
+    .source(SOURCE)
+    .expect(Expected::Plateau { value: 0.055, tolerance: 0.02 })
+}
+
+/// From places a tenth of a spacing off the lattice.
+fn disordered() -> Study {
+    Study::new(
+        "manufactured/water/disordered",
+        "from disordered places forces that conserve momentum do not converge, corrected or not: the order is between \
+         minus one and one half",
+        |_| {
+            in_space(&SIDES, |side| {
+                let run = Run { jitter: 0.1, ..Run::new(side, 2.0) };
+                errors_alone(&alone::<f64, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new())).into()
+            })
+        },
+    )
+    .equations(&["51", "58"])
+    .source(SOURCE)
+    .expect(Expected::Order { at_least: -1.0, at_most: 0.5 })
+}
+
+/// The paper's sums for both constituents at h = Δx.
+fn printed() -> Study {
+    Study::new(
+        "manufactured/both/as printed",
+        "with (55), (58) as printed and h = Δx soil and water do not converge: water is held by the lattice of the \
+         grains the harder the finer it is",
+        |_| {
+            in_space(&SIDES, |side| {
+                let run = Run { corrected: false, ..Run::new(side, 1.0) };
+                errors_together(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), VelocityVerlet::new())).into()
+            })
+        },
+    )
+    .equations(&["55", "58"])
+    .source(SOURCE)
+    .expect(Expected::Order { at_least: -2.0, at_most: 0.0 })
+}
+
+fn both_in_space<T: Real, const D: usize>(name: &str, sides: &'static [usize]) -> Study {
+    Study::new(
+        name,
+        "with corrected gradients, soil and water that pass through each other converge at second order at h = 2 Δx \
+         (values: rms of the relative errors of both velocities and of the stress)",
+        move |conditions| {
+            in_space(sides, |side| {
+                let run = Run { steps: 5 * side, ..Run::new(side, 2.0) };
+                let integrator = VelocityVerlet::new;
+                if conditions.is(SPIN) {
+                    let soil = SpinningBack(skeleton());
+                    errors_together(&together::<T, D, _>(run, soil, darcy(1.0), integrator())).into()
+                } else if conditions.is(CUBED) {
+                    let drag = Powered { right: darcy(1.0), power: 3 };
+                    errors_together(&together::<T, D, _>(run, skeleton(), drag, integrator())).into()
+                } else {
+                    let drag = darcy(if conditions.is(TWICE) { 2.0 } else { 1.0 });
+                    errors_together(&together::<T, D, _>(run, skeleton(), drag, integrator())).into()
+                }
+            })
+        },
+    )
+    .equations(&["20", "33", "34", "35", "37", "52", "53", "55", "58", "65", "69"])
+    .source(SOURCE)
+    .expect(Expected::order(2.0, 0.2))
+    .mutant(SPIN)
+    .mutant(CUBED)
+    .mutant(TWICE)
+}
+
+/// Differences of the velocities to those in sixteen times as many steps as the finest.
+fn in_time(velocities: impl Fn(usize) -> Vec<f64>) -> Measured {
+    const STEPS: [usize; 3] = [80, 160, 320];
+    let exact = velocities(16 * STEPS[2]);
+    let error = |steps: usize| (1.0 / steps as f64, relative_l2(&velocities(steps), &exact));
+    Measured::errors(STEPS.map(error))
+}
+
+fn water_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study {
+    Study::new(name, "the error of a water step is of second order in its length", move |conditions| {
+        in_time(|steps| {
+            let run = Run { steps, ..Run::new(8, 1.0) };
+            let water = fluid(WATER.viscosity);
+            if conditions.is(UNPREDICTED) {
+                velocities(alone::<f64, 2>(run, water, Unpredicted).water())
+            } else {
+                velocities(alone::<f64, 2>(run, water, integrator()).water())
+            }
+        })
+    })
+    .equations(&["71", "72"])
+    .source(IN_TIME)
+    .expect(Expected::order(2.0, 0.1))
+}
+
+fn both_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study {
+    Study::new(
+        name,
+        "the error of a step of soil and water is of second order in its length",
+        move |conditions| {
+            in_time(|steps| {
+                let run = Run { steps, ..Run::new(8, 2.0) };
+                let both = |mixture: &crate::motions::Mixed<f64, 2, _>| {
+                    [velocities(mixture.soil()), velocities(mixture.water())].concat()
+                };
+                if conditions.is(UNPREDICTED) {
+                    both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), Unpredicted))
+                } else {
+                    both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), integrator()))
+                }
+            })
+        },
+    )
+    .equations(&["71", "72"])
+    .source(IN_TIME)
+    .expect(Expected::order(2.0, 0.1))
+}
