@@ -6,6 +6,8 @@ pub struct Flags {
     pub full: bool,
     pub mutants: bool,
     pub reports: Vec<String>,
+    /// Where outcomes are kept, to go on from.
+    pub resume: Option<String>,
 }
 
 impl Flags {
@@ -21,9 +23,11 @@ impl Flags {
                     let file = arguments.next().ok_or("--report needs a file name, or - for the terminal")?;
                     flags.reports.push(file);
                 }
-                other => match other.strip_prefix("--report=") {
-                    Some(file) => flags.reports.push(file.to_owned()),
-                    None => others.push(argument),
+                "--resume" => flags.resume = Some(arguments.next().ok_or("--resume needs a file name")?),
+                _ => match argument.split_once('=') {
+                    Some(("--report", file)) => flags.reports.push(file.to_owned()),
+                    Some(("--resume", file)) => flags.resume = Some(file.to_owned()),
+                    _ => others.push(argument),
                 },
             }
         }

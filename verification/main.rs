@@ -4,8 +4,10 @@
 //!
 //! Own flags, beside those of every test program:
 //! `--full` also runs the studies of minutes; `--mutants` also shows that each study fails under
-//! each of its deliberate mistakes; `--report FILE` writes what was measured, as JSON if the name
-//! ends so, else as Markdown (`-`: to the terminal).
+//! each of its deliberate mistakes; `--report FILE` writes what was measured, as JSON or HTML if the name
+//! ends so, else as Markdown (`-`: to the terminal); `--resume FILE` keeps every outcome in a file as soon as it
+//! is there, and takes from it what this very build has measured before. `cargo verify` is short for the
+//! command.
 //!
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
@@ -21,6 +23,7 @@ mod drops;
 mod fits;
 mod flags;
 mod identity;
+mod journal;
 mod kernels;
 mod lattice_sums;
 mod manufactured;
@@ -45,9 +48,11 @@ mod water;
 
 use alluvium::verify::{Environment, Level, Outcome, Report, Study};
 use flags::Flags;
+use journal::Journal;
 use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::Path;
 use std::process::ExitCode;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// All studies, topic by topic.
 fn studies() -> Vec<Study> {
@@ -81,7 +86,18 @@ fn studies() -> Vec<Study> {
     .collect()
 }
 
-type Outcomes = Arc<Mutex<Vec<Outcome>>>;
+/// What has been measured, and where it is kept.
+#[derive(Default)]
+struct Record {
+    outcomes: Vec<Outcome>,
+    journal: Option<Journal>,
+}
+
+type Shared = Arc<Mutex<Record>>;
+
+fn lock(record: &Shared) -> MutexGuard<'_, Record> {
+    record.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 fn main() -> ExitCode {
     let (flags, others) = match Flags::split(std::env::args()) {
@@ -94,29 +110,38 @@ fn main() -> ExitCode {
     let arguments = Arguments::from_iter(others);
     let studies = Arc::new(studies());
     assert_unique(&studies);
-    let outcomes = Outcomes::default();
-    let conclusion = libtest_mimic::run(&arguments, trials(&studies, &outcomes, &flags));
-    if !arguments.list {
-        let outcomes = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Err(error) = write_reports(&flags, &studies, &outcomes) {
-            eprintln!("the report could not be written: {error}");
-            return ExitCode::FAILURE;
+    let record = Shared::default();
+    if let Some(file) = flags.resume.as_ref().filter(|_| !arguments.list) {
+        match Journal::open(Path::new(file)) {
+            Ok(journal) => {
+                eprintln!("{file}: {} outcomes of this build", journal.len());
+                lock(&record).journal = Some(journal);
+            }
+            Err(error) => {
+                eprintln!("{file} cannot be resumed from: {error}");
+                return ExitCode::from(2);
+            }
         }
+    }
+    let conclusion = libtest_mimic::run(&arguments, trials(&studies, &record, &flags));
+    if let (false, Err(error)) = (arguments.list, write_reports(&flags, &studies, &lock(&record).outcomes)) {
+        eprintln!("the report could not be written: {error}");
+        return ExitCode::FAILURE;
     }
     conclusion.exit_code()
 }
 
 /// One trial for each study, and one for each of its mutants. What is not asked for is ignored, so
 /// that `--ignored` and `--include-ignored` find it.
-fn trials(studies: &Arc<Vec<Study>>, outcomes: &Outcomes, flags: &Flags) -> Vec<Trial> {
+fn trials(studies: &Arc<Vec<Study>>, record: &Shared, flags: &Flags) -> Vec<Trial> {
     let mut trials = Vec::new();
     for (index, study) in studies.iter().enumerate() {
         let skip = study.level == Level::Full && !flags.full;
-        trials.push(trial(study.name.clone(), studies, index, None, outcomes).with_ignored_flag(skip));
+        trials.push(trial(study.name.clone(), studies, index, None, record).with_ignored_flag(skip));
         for &mutant in &study.mutants {
             let name = format!("{}: {mutant}", study.name);
             let skip = skip || !flags.mutants;
-            let trial = trial(name, studies, index, Some(mutant), outcomes).with_kind("mutant");
+            let trial = trial(name, studies, index, Some(mutant), record).with_kind("mutant");
             trials.push(trial.with_ignored_flag(skip));
         }
     }
@@ -128,14 +153,23 @@ fn trial(
     studies: &Arc<Vec<Study>>,
     index: usize,
     mutant: Option<&'static str>,
-    outcomes: &Outcomes,
+    record: &Shared,
 ) -> Trial {
-    let (studies, outcomes) = (Arc::clone(studies), Arc::clone(outcomes));
+    let (studies, record) = (Arc::clone(studies), Arc::clone(record));
     Trial::test(name, move || {
         let study = &studies[index];
-        let outcome = mutant.map_or_else(|| study.run(), |mutant| study.run_mutant(mutant));
+        let known = lock(&record).journal.as_ref().and_then(|journal| journal.known(&study.name, mutant));
+        let is_new = known.is_none();
+        let run = || mutant.map_or_else(|| study.run(), |mutant| study.run_mutant(mutant));
+        let outcome = known.unwrap_or_else(run);
         let (good, sentence) = (outcome.is_good(), outcome.sentence.clone());
-        outcomes.lock().unwrap_or_else(PoisonError::into_inner).push(outcome);
+        let mut record = lock(&record);
+        if let Some(journal) = record.journal.as_mut().filter(|_| is_new) {
+            journal
+                .add(&outcome)
+                .map_err(|error| Failed::from(format!("the outcome was not kept: {error}")))?;
+        }
+        record.outcomes.push(outcome);
         match (good, mutant) {
             (true, _) => Ok(()),
             (false, None) => Err(Failed::from(format!("{}: {sentence}", study.claim))),
@@ -144,12 +178,14 @@ fn trial(
     })
 }
 
+/// Writes what was asked for; nothing where nothing was.
 fn write_reports(flags: &Flags, studies: &[Study], outcomes: &[Outcome]) -> std::io::Result<()> {
     for file in &flags.reports {
         let report = Report::new(Environment::detect(), studies, outcomes);
         match file.as_str() {
             "-" => print!("{}", report.markdown()),
             name if name.ends_with(".json") => std::fs::write(name, report.json())?,
+            name if name.ends_with(".html") => std::fs::write(name, report.html())?,
             name => std::fs::write(name, report.markdown())?,
         }
     }

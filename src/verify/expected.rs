@@ -54,18 +54,20 @@ pub struct Measured {
     pub points: Vec<Point>,
     /// Further findings, for the report only.
     pub notes: Vec<String>,
+    /// Pictures (SVG), for the report only.
+    pub pictures: Vec<String>,
 }
 
 impl Measured {
     /// Errors `(spacing, error)`, from coarse to fine.
     pub fn errors(points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let point = |(spacing, value)| Point { label: String::new(), spacing, value };
-        Self { points: points.into_iter().map(point).collect(), notes: Vec::new() }
+        Self { points: points.into_iter().map(point).collect(), ..Self::default() }
     }
     /// Named values.
     pub fn values<L: Into<String>>(points: impl IntoIterator<Item = (L, f64)>) -> Self {
         let point = |(label, value): (L, f64)| Point { label: label.into(), spacing: f64::NAN, value };
-        Self { points: points.into_iter().map(point).collect(), notes: Vec::new() }
+        Self { points: points.into_iter().map(point).collect(), ..Self::default() }
     }
     /// One value.
     pub fn value(value: f64) -> Self {
@@ -74,6 +76,11 @@ impl Measured {
     /// Adds a finding for the report.
     pub fn note(mut self, note: impl Into<String>) -> Self {
         self.notes.push(note.into());
+        self
+    }
+    /// Adds a picture for the report.
+    pub fn picture(mut self, chart: &super::plot::Chart) -> Self {
+        self.pictures.push(chart.svg());
         self
     }
     fn pairs(&self) -> Vec<(f64, f64)> {

@@ -33,6 +33,7 @@ pub mod manufactured;
 mod norms;
 mod order;
 mod parcel;
+pub mod plot;
 mod report;
 mod richardson;
 pub mod sand_column;

@@ -1,14 +1,8 @@
-//! Pictures, as SVG: vector graphics that open everywhere and need no fonts or libraries.
+//! Pictures of particles, beside the charts of the library.
 
-mod canvas;
-mod chart;
-mod colour;
-mod convergence;
 mod particles;
 #[cfg(test)]
 mod samples;
-mod scale;
 
-pub use chart::{Chart, Series, beside};
-pub use convergence::convergence;
+pub use alluvium::verify::plot::{Chart, Series, beside, convergence};
 pub use particles::{Panel, ParticlePicture};

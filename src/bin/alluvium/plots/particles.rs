@@ -1,8 +1,6 @@
 //! Particles coloured by a quantity, in panels that share axes and colour bar.
 
-use super::canvas::{Anchor, Canvas, Stroke};
-use super::colour::viridis;
-use super::scale::Scale;
+use alluvium::verify::plot::{Anchor, Canvas, Scale, Stroke, viridis};
 use core::fmt::Write;
 
 /// Shades a colour bar is cut into; one path each keeps the file small.

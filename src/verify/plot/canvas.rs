@@ -3,23 +3,29 @@
 use core::fmt::Write;
 
 /// Where a text is anchored.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub enum Anchor {
+    /// At its beginning.
     Start,
+    /// In its middle.
     Middle,
+    /// At its end.
     End,
 }
 
 /// How a line looks.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Stroke<'a> {
+    /// Any colour of SVG.
     pub colour: &'a str,
+    /// In pixels.
     pub width: f64,
     /// Lengths of dashes and gaps; empty for a full line.
     pub dash: &'a str,
 }
 
 /// The picture: elements in the order they were drawn.
+#[derive(Debug)]
 pub struct Canvas {
     width: f64,
     height: f64,
@@ -27,6 +33,7 @@ pub struct Canvas {
 }
 
 impl Canvas {
+    /// Nothing yet, on so many pixels.
     pub fn new(width: f64, height: f64) -> Self {
         Self { width, height, body: String::new() }
     }
@@ -37,10 +44,12 @@ impl Canvas {
         self.body.push('\n');
     }
 
+    /// A straight line.
     pub fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: Stroke<'_>) {
         self.polyline(&[from, to], stroke);
     }
 
+    /// A line through points.
     pub fn polyline(&mut self, points: &[(f64, f64)], stroke: Stroke<'_>) {
         let Stroke { colour, width, dash } = stroke;
         let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
@@ -51,6 +60,7 @@ impl Canvas {
         ));
     }
 
+    /// An area between points.
     pub fn polygon(&mut self, points: &[(f64, f64)], colour: &str) {
         self.raw(&format!("<path d=\"{}Z\" fill=\"{colour}\" fill-opacity=\"0.85\"/>", path(points)));
     }

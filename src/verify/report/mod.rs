@@ -1,0 +1,87 @@
+//! Outcomes on paper.
+
+mod html;
+mod machine;
+mod markdown;
+
+use super::environment::Environment;
+use super::study::{Outcome, Study};
+
+/// Studies with their outcomes, in order.
+#[derive(Debug)]
+pub struct Report<'a> {
+    /// Where it was made.
+    pub environment: Environment,
+    /// Each study with its outcomes: as it is, and under mutants.
+    pub studies: Vec<(&'a Study, Vec<&'a Outcome>)>,
+}
+
+impl<'a> Report<'a> {
+    /// Sorts outcomes under their studies, whatever order they came in; studies without are left out.
+    pub fn new(environment: Environment, studies: &'a [Study], outcomes: &'a [Outcome]) -> Self {
+        let of = |study: &Study| -> Vec<&Outcome> {
+            let mut own: Vec<_> = outcomes.iter().filter(|outcome| outcome.study == study.name).collect();
+            own.sort_by_key(|outcome| {
+                let place = |mutant| study.mutants.iter().position(|m| m == mutant);
+                outcome.mutant.as_ref().map(place)
+            });
+            own
+        };
+        let studies = studies.iter().map(|study| (study, of(study))).filter(|(_, own)| !own.is_empty());
+        Self { environment, studies: studies.collect() }
+    }
+
+    fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
+        self.studies.iter().flat_map(|(_, own)| own.iter().copied())
+    }
+}
+
+pub(super) fn full_name(outcome: &Outcome) -> String {
+    match &outcome.mutant {
+        None => outcome.study.clone(),
+        Some(mutant) => format!("{}, mutant: {mutant}", outcome.study),
+    }
+}
+
+pub(super) fn verdict(outcome: &Outcome) -> &'static str {
+    match (&outcome.mutant, outcome.is_good()) {
+        (None, true) => "passed",
+        (None, false) => "**FAILED**",
+        (Some(_), true) => "caught",
+        (Some(_), false) => "**SURVIVED**",
+    }
+}
+
+pub(super) fn tally<'a>(outcomes: impl Iterator<Item = &'a Outcome>, word: &str) -> String {
+    let (mut good, mut all) = (0, 0);
+    for outcome in outcomes {
+        good += usize::from(outcome.is_good());
+        all += 1;
+    }
+    format!("{good} of {all} {word}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::{Expected, Measured};
+
+    #[test]
+    fn a_report_names_what_passed_and_what_survived() {
+        let study = Study::new("water/rest", "Still water stays still", |conditions| {
+            Measured::errors([(0.2, 0.04), (0.1, if conditions.is("bad") { 0.04 } else { 0.01 })])
+        });
+        let studies = [study.expect(Expected::order(2.0, 0.1)).mutant("bad").mutant("harmless")];
+        let run = |mutant: &str| studies[0].run_mutant(mutant);
+        let outcomes = [run("harmless"), run("bad"), studies[0].run()];
+        let environment = Environment { commit: "abc".to_owned(), ..Environment::detect() };
+        let report = Report::new(environment, &studies, &outcomes);
+        let text = report.markdown();
+        assert!(text.contains("- studies: 1 of 1 passed\n- mutants: 1 of 2 caught"));
+        assert!(text.contains("**SURVIVED**") && text.contains("| 1.0000e-1 | 1.000000e-2 | 2.000 |"));
+        assert!(text.find("rest | ").unwrap() < text.find("mutant: bad").unwrap());
+        let json = report.json();
+        assert!(json.contains("\"commit\":\"abc\"") && json.contains("\"mutant\":\"bad\",\"good\":true"));
+        assert_eq!(json.matches('{').count(), json.matches('}').count());
+    }
+}
