@@ -13,6 +13,8 @@
 
 mod balance;
 mod bench;
+#[cfg(feature = "case")]
+mod budgets;
 mod channel;
 mod dam_break;
 mod dam_run;
@@ -80,6 +82,8 @@ fn studies() -> Vec<Study> {
         soil_waves::studies(),
         driver::studies(),
         driver_turning::studies(),
+        #[cfg(feature = "case")]
+        budgets::studies(),
     ]
     .into_iter()
     .flatten()

@@ -1,7 +1,7 @@
 //! Manufactured motions in time: what is of second order, and what stays.
 
 use crate::motions::{
-    Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together, velocities,
+    Mistake, Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together, velocities,
 };
 use crate::seepage::Powered;
 use crate::soil::SpinningBack;
@@ -18,6 +18,12 @@ const UNPREDICTED: &str = "half-step approximation left out";
 const SPIN: &str = "spin of the opposite sign";
 const CUBED: &str = "φ_f cubed in C_d";
 const TWICE: &str = "drag twice as strong";
+const MISTAKES: [(&str, Mistake); 4] = [
+    ("buoyancy of the soil left out", Mistake::NoBuoyancy),
+    ("drag on the water alone", Mistake::OneSidedDrag),
+    ("reference density of the water frozen", Mistake::FrozenReference),
+    ("σ_xx and σ_yy swapped", Mistake::SwappedStress),
+];
 
 /// Particles along an edge.
 const SIDES: [usize; 3] = [12, 24, 48];
@@ -36,7 +42,11 @@ pub fn studies() -> Vec<Study> {
         disordered(),
         water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new),
         water_in_time("manufactured/water/time/leap-frog", LeapFrog::new).mutant(UNPREDICTED),
-        both_in_space::<f64, 2>("manufactured/both/space/2d/f64", &SIDES),
+        MISTAKES
+            .iter()
+            .fold(both_in_space::<f64, 2>("manufactured/both/space/2d/f64", &SIDES), |study, (name, _)| {
+                study.mutant(name)
+            }),
         both_in_space::<f32, 2>("manufactured/both/space/2d/f32", &SIDES),
         both_in_space::<f64, 3>("manufactured/both/space/3d/f64", &[12, 18, 24]).level(Level::Full),
         printed(),
@@ -138,7 +148,8 @@ fn both_in_space<T: Real, const D: usize>(name: &str, sides: &'static [usize]) -
          (values: rms of the relative errors of both velocities and of the stress)",
         move |conditions| {
             in_space(sides, |side| {
-                let run = Run { steps: 5 * side, ..Run::new(side, 2.0) };
+                let mistake = MISTAKES.iter().find(|(name, _)| conditions.is(name)).map(|(_, mistake)| *mistake);
+                let run = Run { steps: 5 * side, mistake, ..Run::new(side, 2.0) };
                 let integrator = VelocityVerlet::new;
                 if conditions.is(SPIN) {
                     let soil = SpinningBack(skeleton());

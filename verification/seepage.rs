@@ -15,6 +15,7 @@ use alluvium::{Real, SymTensor, Vector, setup};
 const TRUE_WEIGHT: &str = "γ_w with the true density";
 const CUBED: &str = "φ_f cubed";
 const DRY: &str = "soil laid under its dry weight";
+const OUTSIDE: &str = "K₀ = ν/(1 − ν), outside the yield surface";
 const GRAVITY: f64 = 9.81;
 
 pub fn studies() -> Vec<Study> {
@@ -110,6 +111,7 @@ fn rest(name: &str, spacing: f64, above: f64, end: f64) -> Study {
     .source("nothing drives it")
     .expect(Expected::Bound { largest: 1e-5 })
     .mutant(DRY)
+    .mutant(OUTSIDE)
 }
 
 fn velocities(spacing: f64, above: f64, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
@@ -118,7 +120,8 @@ fn velocities(spacing: f64, above: f64, end: f64, conditions: &Conditions) -> Ve
     let weight = if conditions.is(DRY) { 2700.0 } else { 1700.0 } * GRAVITY;
     let elasticity = Elasticity::from_bulk(125e6, 0.3).expect("moduli");
     let cone = DruckerPrager::new(Cone::PlaneStrain, 25_f64.to_radians(), 0.0).expect("a cone");
-    let ratio = LateralRatio::new(&elasticity, &cone).admissible();
+    let ratio = LateralRatio::new(&elasticity, &cone);
+    let ratio = if conditions.is(OUTSIDE) { ratio.printed } else { ratio.admissible() };
     let walls: Vec<Vector<f64, 2>> =
         setup::tank([0.0; 2], [width, level], spacing, 3, [(true, true), (true, false)]);
     let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < height);

@@ -1,0 +1,113 @@
+//! Where the energy of the paper's four cases goes: its own "future study". Every account of the ledger, what each
+//! numerical device costs, and what no account explains.
+
+use alluvium::budget::{Account, Budget};
+use alluvium::case::{Case, IntegratorChoice};
+use alluvium::kernel::WendlandC2;
+use alluvium::parallel::Threads;
+use alluvium::time::{Integrator, LeapFrog, VelocityVerlet};
+use alluvium::verify::plot::{Chart, Series};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
+use std::ops::ControlFlow;
+
+const UNBOOKED: &str = "artificial viscosity left out of the ledger";
+const CASES: [(&str, &str); 4] = [
+    ("dam break", include_str!("cases/dam_break.toml")),
+    ("sand column", include_str!("cases/sand_column.toml")),
+    ("U-tube", include_str!("cases/u_tube.toml")),
+    ("jet", include_str!("cases/jet.toml")),
+];
+
+pub fn studies() -> Vec<Study> {
+    let mut studies = Vec::new();
+    for (name, text) in CASES {
+        for preset in ["default", "paper"] {
+            for integrator in ["leap-frog", "velocity-verlet"] {
+                studies.push(budget(name, text, preset, integrator));
+            }
+        }
+    }
+    studies
+}
+
+fn budget(name: &str, text: &'static str, preset: &'static str, integrator: &'static str) -> Study {
+    let title = format!("budget/{name}/{preset}/{integrator}");
+    let claim = "the ledger closes: what no account explains is below two thousandths of the energy that was there and \
+                 came in (values: that part at the worst instant)";
+    Study::new(title.clone(), claim, move |conditions| {
+        let text = text.replace("PRESET", preset).replace("INTEGRATOR", integrator);
+        let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));
+        let ledger = match case.time.integrator {
+            IntegratorChoice::LeapFrog => follow(&case, LeapFrog::new()),
+            IntegratorChoice::VelocityVerlet => follow(&case, VelocityVerlet::new()),
+        };
+        measured(&title, &ledger, conditions)
+    })
+    .equations(&["52", "53", "55", "58", "59", "71"])
+    .source("conservation of energy")
+    .level(Level::Full)
+    .expect(Expected::Bound { largest: 2e-3 })
+    .mutant(UNBOOKED)
+}
+
+/// A hundred instants of a run.
+struct Ledger {
+    budgets: Vec<Budget<2>>,
+    /// Why it ended before its time.
+    stopped: Option<String>,
+}
+
+fn follow(case: &Case, integrator: impl Integrator<f64>) -> Ledger {
+    let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
+    let mut run = case.simulation(kernel, integrator).expect("a case");
+    // One thread each: the harness runs studies side by side.
+    Threads::new(1).expect("a thread").install(|| {
+        run.start().expect("a start");
+        let mut budgets = vec![run.budget()];
+        for instant in 1..=100 {
+            let until = case.end_time * f64::from(instant) / 100.0;
+            if let Err(error) = run.run_until(until, |_| ControlFlow::<()>::Continue(())) {
+                return Ledger { budgets, stopped: Some(error.to_string()) };
+            }
+            budgets.push(run.budget());
+        }
+        Ledger { budgets, stopped: None }
+    })
+}
+
+fn measured(title: &str, ledger: &Ledger, conditions: &Conditions) -> Measured {
+    let Ledger { budgets, stopped } = ledger;
+    let start = &budgets[0];
+    // Energy in gravity counts from where it ends; what a nozzle brings counts as it comes.
+    let released = |budget: &Budget<2>| {
+        (start.potential - budget.potential).abs() + start.kinetic - budget.taken[Account::Inflow]
+    };
+    let largest = budgets.iter().map(released).fold(0.0, f64::max);
+    let left_out = |budget: &Budget<2>| {
+        if conditions.is(UNBOOKED) { budget.taken[Account::ArtificialViscosity] } else { 0.0 }
+    };
+    let unexplained = |budget: &Budget<2>| (budget.closure(start) - left_out(budget)).abs() / largest;
+    let worst = budgets.iter().map(unexplained).fold(0.0, f64::max);
+    let end = budgets.last().unwrap_or(start);
+    let mut measured = Measured::value(if stopped.is_some() { f64::NAN } else { worst });
+    if let Some(stopped) = stopped {
+        measured = measured.note(format!("stopped: {stopped}"));
+    }
+    measured = measured.note(format!(
+        "released and brought {largest:.4e} J/m, unexplained at the end {:.3e} J/m",
+        end.closure(start)
+    ));
+    let mut chart = Chart::new(title, "time [s]", "energy taken [J/m]");
+    for account in Account::ALL {
+        let taken = end.taken[account] - start.taken[account];
+        if taken.abs() < 1e-6 * largest {
+            continue;
+        }
+        measured =
+            measured.note(format!("{}: {taken:.4e} J/m, {:.3} %", account.name(), 100.0 * taken / largest));
+        let points = budgets.iter().map(|b| (b.time, b.taken[account] - start.taken[account])).collect();
+        chart = chart.with(Series::line(account.name(), points));
+    }
+    let closure = budgets.iter().map(|b| (b.time, b.closure(start))).collect();
+    measured.picture(&chart.with(Series::dashed("unexplained", closure)))
+}
