@@ -145,16 +145,17 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>, I
     }
 
     fn refuse_too_long(&self, dt: T, limits: &Limits<T>) -> Result<(), StepError> {
-        let (allowed, limit) = limits.binding(T::ONE);
-        if dt > allowed {
-            return Err(StepError::StepTooLong {
-                step: dt.as_f64(),
-                allowed: allowed.as_f64(),
-                limit,
-                time: self.mixture.time(),
-            });
+        let (allowed, limit) = limits.last();
+        if dt <= allowed {
+            return Ok(());
         }
-        Ok(())
+        let (step, allowed, time) = (dt.as_f64(), allowed.as_f64(), self.mixture.time());
+        Err(match limit {
+            Limit::Drag => {
+                StepError::DragTooStiff { step, allowed, law: self.mixture.drag_law().describe(), time }
+            }
+            limit => StepError::StepTooLong { step, allowed, limit, time },
+        })
     }
 
     /// Steps until time `end` \[s\], but for rounding, or until the onlooker breaks; it is called before the

@@ -37,8 +37,8 @@ pub struct Powered<T> {
 }
 
 impl<T: Real> DragLaw<T> for Powered<T> {
-    fn coefficient(&self, fraction: T, true_density: T) -> T {
-        self.right.coefficient(T::ONE, true_density) * fraction.powi(self.power)
+    fn coefficient(&self, fraction: T, true_density: T, slip: T) -> T {
+        self.right.coefficient(T::ONE, true_density, slip) * fraction.powi(self.power)
     }
 }
 

@@ -16,7 +16,9 @@ mod yield_surface;
 pub use absent::Absent;
 pub use any_surface::AnySurface;
 pub use at_rest::LateralRatio;
-pub use drag::{Conductivity, Darcy, DragLaw, NoDrag};
+pub use drag::{
+    Conductivity, Darcy, DragLaw, Ergun, Forchheimer, KozenyCarman, NoDrag, Permeability, PoreFluid,
+};
 pub use drucker_prager::{Cone, DruckerPrager};
 pub use elasticity::Elasticity;
 pub use mohr_coulomb::MohrCoulomb;

@@ -99,7 +99,6 @@ impl<T: Real, const D: usize> Across<T, D> {
     }
 
     /// Calls `visit(a, r²)` for the water particles `a` near soil particle `i`.
-    #[cfg(feature = "implicit")]
     pub(super) fn for_each_water_near(&self, i: usize, mut visit: impl FnMut(usize, T)) {
         self.neighbourhood.for_each_neighbour(&self.positions, i, |j, _, r2| visit(j - self.soil, r2));
     }

@@ -13,16 +13,16 @@
 
 use super::across::Across;
 use super::constituent::Constituent;
+use super::drag::Drag;
 use super::evaluation::vector_sum;
 use super::pore::Pores;
 use super::setting::Setting;
 use crate::budget::Account;
 use crate::kernel::Kernel;
-use crate::material::{DragLaw, Material, NoDrag};
+use crate::material::Material;
 use crate::real::{Num, Real};
 use crate::space::Vector;
 use crate::summation::{MOST, Neighbourhood, PairFormula, Record, Sums, add_vector, number, vector};
-use std::sync::Arc;
 
 /// How the pore pressure acts between water and soil.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,23 +98,12 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Exchange<K, D>
     }
 }
 
-/// The fastest drag on any particle of the two: `max Σ_j K_ij/m_i` \[1/s\], by constituent.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct DragRate<T> {
-    pub(super) soil: T,
-    pub(super) water: T,
-}
-
 /// All there is between soil and water.
 pub(super) struct Coupling<T: Real, const D: usize> {
     pub(super) across: Across<T, D>,
     pub(super) pores: Pores<T>,
     pub(super) form: CouplingForm,
-    pub(super) drag: Arc<dyn DragLaw<T>>,
-    pub(super) drag_rate: DragRate<T>,
-    /// Whether drag is among the forces, or solved over the step.
-    pub(super) drag_is_evaluated: bool,
+    pub(super) drag: Drag<T>,
     sums: Sums<T>,
 }
 
@@ -124,9 +113,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             across: Across::new(neighbourhood),
             pores: Pores::default(),
             form: CouplingForm::default(),
-            drag: Arc::new(NoDrag),
-            drag_rate: DragRate { soil: T::ZERO, water: T::ZERO },
-            drag_is_evaluated: true,
+            drag: Drag::default(),
             sums: Sums::default(),
         }
     }
@@ -159,9 +146,14 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         soil: &mut Constituent<T, D, S>,
         water: &mut Constituent<T, D, F>,
     ) {
+        self.drag.find_slip(&mut self.across, &setting.kernel, &soil.phase, &water.phase);
         self.sum_exchange(&setting.kernel, soil, water);
+        self.drag.rate.clear();
         self.push_soil(soil);
         self.push_water(water);
+        if self.drag.is_evaluated {
+            self.drag.find_limit(&self.across, &water.phase);
+        }
         water.add_fraction_rate(&self.pores.fraction_rate);
     }
 
@@ -173,7 +165,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     ) {
         let seen = |a: usize| water.pressing_volume(a);
         let (soil, water) = (&soil.phase, &water.phase);
-        let (pores, drag) = (&self.pores, &*self.drag);
+        let (pores, drag) = (&self.pores, &self.drag);
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
             record[D] = soil.grains(i);
@@ -189,7 +181,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             record[D + 1] = water.volume(a);
             record[D + 2] = water.pressure[a];
             record[D + 3] = T::ZERO;
-            record[D + 4] = drag.coefficient(water.volume_fraction(a), water.true_density(a));
+            record[D + 4] = drag.coefficient(water, a);
             record[D + 5] = T::ONE;
         };
         let formula = Exchange::<K, D> { kernel: kernel.clone() };
@@ -197,21 +189,20 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     }
 
     fn push_soil<S: Material<T>>(&mut self, soil: &mut Constituent<T, D, S>) {
-        let mut fastest = T::ZERO;
         for i in 0..soil.phase.len() {
             if soil.phase.is_apart(i) {
+                self.drag.rate.push(T::ZERO);
                 continue;
             }
             let grains = soil.phase.grains(i);
             let (push, rate) = self.push(i, grains / soil.phase.mass[i], soil.phase.density(i));
             soil.phase.rate.acceleration[i] += push;
-            fastest = fastest.max(rate);
+            self.drag.rate.push(rate);
         }
-        self.drag_rate.soil = fastest;
     }
 
     fn push_water<F: Material<T>>(&mut self, water: &mut Constituent<T, D, F>) {
-        let (mut fastest, mut power) = (T::ZERO, 0.0);
+        let mut power = 0.0;
         for a in 0..water.phase.len() {
             let at = self.across.water(a);
             let density = water.phase.density(a);
@@ -220,11 +211,10 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             // K_ia v_ia² summed over the pairs of a, each once: V_a V_i C W v².
             let drag_power = self.sums.get(at, 2 * D + sum::DRAG_POWER);
             power += (water.phase.volume(a) * drag_power).as_f64();
-            fastest = fastest.max(rate);
+            self.drag.rate.push(rate);
             water.add_density_rate(a, -self.sums.get(at, 2 * D + sum::COMPRESSION));
         }
-        self.drag_rate.water = fastest;
-        if self.drag_is_evaluated {
+        if self.drag.is_evaluated {
             water.exchange_rate.taken[Account::Drag] += power;
         }
         water.exchange_rate.taken[Account::WallExtrapolation] -= self.pores.extrapolation_power;
@@ -236,19 +226,12 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let force: Vector<T, D> = vector_sum(&self.sums, i, 0);
         let drag: Vector<T, D> = vector_sum(&self.sums, i, D);
         let inverse = T::ONE / density;
-        let push = if self.drag_is_evaluated { force * weight + drag * inverse } else { force * weight };
+        let push = if self.drag.is_evaluated { force * weight + drag * inverse } else { force * weight };
         (push, self.sums.get(i, 2 * D + sum::DRAG) * inverse)
-    }
-
-    /// The longest step \[s\] explicit drag allows: half of that at which leap-frog (71) with its half-step
-    /// approximation turns unstable, `1/(Σ K_ia/m_i + Σ K_ia/m_a)`, with the largest of each.
-    pub(super) fn drag_limit(&self) -> T {
-        let fastest = self.drag_rate.soil + self.drag_rate.water;
-        if fastest > T::ZERO { T::of(0.5) / fastest } else { T::INFINITY }
     }
 
     /// Bytes held.
     pub(super) fn bytes(&self) -> usize {
-        self.across.bytes() + self.sums.bytes()
+        self.across.bytes() + self.sums.bytes() + self.drag.bytes()
     }
 }

@@ -10,6 +10,7 @@ mod constituent;
 mod continuity;
 mod corrected;
 mod coupling;
+mod drag;
 mod evaluation;
 mod evolve;
 mod extrapolation;
@@ -32,6 +33,7 @@ mod setting;
 mod shared_pairs;
 mod source;
 mod state;
+mod step_error;
 mod strain_control;
 mod stress;
 mod velocity_gradient;
@@ -42,7 +44,6 @@ mod wall_normal;
 mod wall_stress;
 
 pub use artificial_stress::ArtificialStress;
-pub use checks::{Culprit, StepError};
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
 #[cfg(feature = "implicit")]
@@ -52,11 +53,12 @@ pub use phase::Phase;
 pub use probe::Probe;
 pub use source::Source;
 pub use state::MixtureState;
+pub use step_error::{Culprit, StepError};
 pub use wall::{Slip, Wall, WallKind};
 
 use crate::budget::{Account, Exchange};
 use crate::kernel::{Kernel, WendlandC2};
-use crate::material::{Absent, Material, Water};
+use crate::material::{Absent, DragLaw, Material, Water};
 use crate::neighbours::CellList;
 use crate::real::Real;
 use crate::space::Vector;
@@ -225,8 +227,13 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     pub fn limits(&self) -> Limits<T> {
         let h = self.setting.kernel.smoothing_length();
         let own = self.soil.limits(h).shorter(self.water.limits(h));
-        let drag_limits = self.is_shared() && self.coupling.drag_is_evaluated;
-        if drag_limits { Limits { drag: self.coupling.drag_limit(), ..own } } else { own }
+        let drag_limits = self.is_shared() && self.coupling.drag.is_evaluated;
+        if drag_limits { Limits { drag: self.coupling.drag.limit, ..own } } else { own }
+    }
+
+    /// The law of drag between soil and water.
+    pub fn drag_law(&self) -> &dyn DragLaw<T> {
+        &*self.coupling.drag.law
     }
 
     /// Energy taken by each account per time \[W\] and force on the particles \[N\] at the last evaluation,

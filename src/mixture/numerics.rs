@@ -65,7 +65,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
 
     /// Drag between soil and water (37); none by default.
     pub fn with_drag(mut self, law: impl DragLaw<T> + 'static) -> Self {
-        self.coupling.drag = Arc::new(law);
+        self.coupling.drag.law = Arc::new(law);
         self
     }
 

@@ -2,7 +2,6 @@
 
 use super::Mixture;
 use super::constituent::Constituent;
-use super::coupling::DragRate;
 use super::phase::{EvolvingFraction, Fields, Phase, Rates};
 use crate::budget::Exchange;
 use crate::error::ParameterError;
@@ -55,7 +54,8 @@ pub struct MixtureState<T: Real, const D: usize, S, F> {
     soil: ConstituentState<T, D, S>,
     water: ConstituentState<T, D, F>,
     exchanged: [Exchange<D>; 2],
-    drag_rate: DragRate<T>,
+    /// The step explicit drag allows \[s\].
+    drag_limit: T,
     /// Where the particles were when those of the other constituent were listed, and their shifts.
     across: (Vec<Vector<T, D>>, Vec<Vector<T, D>>),
     /// Accelerations of soil and water without drag, where that is solved over the step.
@@ -183,7 +183,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             soil: self.soil.state(),
             water: self.water.state(),
             exchanged: self.exchanged,
-            drag_rate: self.coupling.drag_rate,
+            drag_limit: self.coupling.drag.limit,
             across: self.coupling.across.listed(),
             #[cfg(feature = "implicit")]
             without_drag: self.implicit_drag.without.clone(),
@@ -203,7 +203,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.water.restore(state.water);
         self.setting.time = state.time;
         self.exchanged = state.exchanged;
-        self.coupling.drag_rate = state.drag_rate;
+        self.coupling.drag.limit = state.drag_limit;
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.list_again(state.across, self.soil.phase.len(), sorted);
         #[cfg(feature = "implicit")]

@@ -51,7 +51,8 @@ pub struct Limits<T> {
     pub viscous: T,
     /// `¼ √(h/a)` with the largest acceleration; infinite at rest.
     pub force: T,
-    /// Half the step at which explicit drag between soil and water turns unstable; infinite without drag.
+    /// The step at which explicit drag between soil and water turns unstable; infinite without drag, and where it
+    /// is solved over the step.
     pub drag: T,
 }
 
@@ -69,10 +70,18 @@ impl<T: Real> Limits<T> {
             drag: self.drag.min(other.drag),
         }
     }
-    /// The shortest with its name; `courant` scales the acoustic one (73).
+    /// The shortest with its name; `courant` scales the acoustic one (73), and half of what drag bears is taken.
     pub fn binding(&self, courant: T) -> (T, Limit) {
+        self.shortest(courant, T::of(0.5))
+    }
+    /// The step beyond which nothing holds, with the name of what breaks.
+    pub fn last(&self) -> (T, Limit) {
+        self.shortest(T::ONE, T::ONE)
+    }
+    fn shortest(&self, courant: T, of_drag: T) -> (T, Limit) {
         let mut best = (courant * self.acoustic, Limit::Acoustic);
-        let others = [(self.viscous, Limit::Viscous), (self.force, Limit::Force), (self.drag, Limit::Drag)];
+        let drag = of_drag * self.drag;
+        let others = [(self.viscous, Limit::Viscous), (self.force, Limit::Force), (drag, Limit::Drag)];
         for (limit, name) in others {
             if limit < best.0 {
                 best = (limit, name);
@@ -105,7 +114,7 @@ impl<T: Real> StepSize<T> {
         }
     }
 
-    /// Always `dt` \[s\]; a run stops if that is beyond what any Courant number allows.
+    /// Always `dt` \[s\]; a run stops if that is beyond what any Courant number allows, or explicit drag bears.
     ///
     /// # Errors
     /// `dt` is not positive and finite.

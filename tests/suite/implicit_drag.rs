@@ -2,6 +2,7 @@
 //! energy and books; against a dense solution; the same bits however it is computed and across a restart.
 
 mod dense;
+mod slip;
 
 use alluvium::budget::Account;
 use alluvium::kernel::{Kernel, WendlandC2};
@@ -78,8 +79,9 @@ fn slip<T: Real>(mixture: &Both<T>) -> f64 {
 /// evaluated mixture.
 fn drag_rate<T: Real>(mixture: &Both<T>, conductivity: f64) -> f64 {
     let (soil, water) = (mixture.soil(), mixture.water());
-    let coefficient =
-        darcy::<T>(conductivity).coefficient(water.volume_fraction(0), water.true_density(0)).as_f64();
+    let coefficient = darcy::<T>(conductivity)
+        .coefficient(water.volume_fraction(0), water.true_density(0), T::ZERO)
+        .as_f64();
     let around: f64 = (0..soil.len()).map(|i| weight(mixture, i, 0)).sum();
     let each = |density: T| coefficient * around * (SPACING * SPACING) / density.as_f64();
     each(soil.density(0)) + each(water.density(0))
@@ -224,7 +226,8 @@ fn seepage(conductivity: f64, scheme: DragScheme, integrator: impl Integrator<f6
     }
     let mixture = run.mixture();
     let (soil, water) = (mixture.soil(), mixture.water());
-    let coefficient = darcy::<f64>(conductivity).coefficient(water.volume_fraction(0), water.true_density(0));
+    let coefficient =
+        darcy::<f64>(conductivity).coefficient(water.volume_fraction(0), water.true_density(0), 0.0);
     let around: f64 = (0..soil.len()).map(|i| weight(mixture, i, 0)).sum::<f64>() * SPACING * SPACING;
     let terminal = -9.81 * water.density(0) / (coefficient * around);
     let mean = water.velocities().iter().map(|v| v[1]).sum::<f64>() / water.len() as f64;

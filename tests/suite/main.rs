@@ -11,6 +11,8 @@ mod case_soil;
 #[cfg(feature = "case")]
 mod case_soil_build;
 mod determinism;
+mod drag_laws;
+mod drag_limit;
 #[cfg(feature = "cli")]
 mod drive;
 mod errata;

@@ -99,7 +99,7 @@ fn a_drag_that_is_not_a_number_is_named() {
     #[derive(Debug)]
     struct NoNumber;
     impl DragLaw<f64> for NoNumber {
-        fn coefficient(&self, _: f64, _: f64) -> f64 {
+        fn coefficient(&self, _: f64, _: f64, _: f64) -> f64 {
             f64::NAN
         }
     }

@@ -8,8 +8,11 @@
 //! What the integrator gets is the *effective* acceleration `(v' − v)/Δt`, so that its own predictions hold
 //! drag as well.
 
+mod conjugate_gradients;
 mod pairs;
-mod solve;
+mod scheme;
+mod sweeps;
+mod system;
 
 use super::phase::Phase;
 use super::{Mixture, StepError};
@@ -21,25 +24,10 @@ use crate::real::Real;
 use crate::space::Vector;
 use crate::time::Moment;
 use pairs::Pairs;
-use solve::System;
-
-/// How drag between soil and water goes through a time step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum DragScheme {
-    /// Evaluated like any force: it limits the step, the harder the lower the conductivity.
-    #[default]
-    Explicit,
-    /// Backward Euler: of first order, damps a slip by 1/(1 + Δt/t_s) and never reverses it; the right
-    /// terminal slip at any step.
-    BackwardEuler,
-    /// The two-stage method SDIRK2 with γ = 1 − 1/√2 (Alexander 1977): of second order where Δt < t_s,
-    /// damps stiff slip as well, but may reverse a small part of it; two solves.
-    SecondOrder,
-}
-
-/// γ of SDIRK2.
-const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
+pub use scheme::DragScheme;
+use scheme::Stage;
+use sweeps::Sweeps;
+use system::{System, Unsolved};
 
 /// What implicit drag keeps between an evaluation and the kicks that follow.
 pub(super) struct ImplicitDrag<T: Real, const D: usize> {
@@ -86,7 +74,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     /// evaluation.
     pub fn with_drag_scheme(mut self, scheme: DragScheme) -> Self {
         self.implicit_drag.scheme = scheme;
-        self.coupling.drag_is_evaluated = scheme == DragScheme::Explicit;
+        self.coupling.drag.is_evaluated = scheme == DragScheme::Explicit;
         self
     }
 
@@ -98,35 +86,46 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         let (soil, water) = (&self.soil.phase, &self.water.phase);
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.find_neighbours(&soil.position, &water.position, sorted);
-        let pairs = Pairs::of(&self.coupling, &self.setting.kernel, soil, water);
         let begin = self.implicit_drag.before.take();
         let begin = begin.as_deref().unwrap_or(&water.rate.acceleration);
+        let begin: Vec<_> = begin.iter().map(in_double).collect();
         let velocity = joined([&soil.fields(base).velocity, &water.fields(base).velocity]);
         let [of_soil, of_water] = &self.implicit_drag.without;
-        let without = joined([of_soil, of_water]);
-        let masses = soil.mass.iter().chain(&water.mass).map(|m| m.as_f64()).collect();
-        let held = [soil.wall_particles(), water.wall_particles()];
-
-        let dt = dt.as_f64();
-        let over = |step| System::new(&pairs, masses, held, step);
-        let begin: Vec<_> = begin.iter().map(in_double).collect();
-        let effective = match self.implicit_drag.scheme {
-            DragScheme::Explicit => return Ok(()),
-            DragScheme::BackwardEuler => over(dt).accelerations(&velocity, &without, &begin),
-            DragScheme::SecondOrder => {
-                let system = over(GAMMA * dt);
-                system.accelerations(&velocity, &without, &begin).and_then(|first| {
-                    let there = system.moved(&velocity, &first, (1.0 - GAMMA) * dt);
-                    let second = system.accelerations(&there, &without, &first[soil.len()..])?;
-                    Ok(first.iter().zip(&second).map(|(&k, &l)| k * (1.0 - GAMMA) + l * GAMMA).collect())
-                })
-            }
+        let stage = Stage {
+            without: &joined([of_soil, of_water]),
+            masses: &soil.mass.iter().chain(&water.mass).map(|m| m.as_f64()).collect::<Vec<_>>(),
+            soil: soil.len(),
+            held: [soil.wall_particles(), water.wall_particles()],
+            step: dt.as_f64(),
         };
-        let effective = effective.map_err(|unsolved| StepError::DragUnsolved {
-            residual: unsolved.residual,
-            allowed: unsolved.allowed,
-            iterations: unsolved.iterations,
-            time: self.setting.time,
+        let law = &*self.coupling.drag.law;
+        let coefficient = |a: usize, slip: f64| {
+            law.coefficient(water.volume_fraction(a), water.true_density(a), T::of(slip))
+        };
+        let (across, kernel) = (&self.coupling.across, &self.setting.kernel);
+        let scheme = self.implicit_drag.scheme;
+        let effective = if law.knows_slip() {
+            let seen = Pairs::of(across, kernel, soil, water, |_| T::ONE);
+            let drag = Sweeps { seen: &seen, coefficient: &|a, slip| coefficient(a, slip).as_f64() };
+            stage.through(scheme, &velocity, &begin, |stage, velocity, begin| {
+                drag.solve(stage, velocity, begin)
+            })
+        } else {
+            let pairs = Pairs::of(across, kernel, soil, water, |a| coefficient(a, 0.0));
+            let mut system = None;
+            stage.through(scheme, &velocity, &begin, |stage, velocity, begin| {
+                let system = system.get_or_insert_with(|| System::new(&pairs, stage));
+                system.accelerations(velocity, begin)
+            })
+        };
+        let time = self.setting.time;
+        let effective = effective.map_err(|unsolved| match unsolved {
+            Unsolved::Iteration { residual, allowed, iterations } => {
+                StepError::DragUnsolved { residual, allowed, iterations, time }
+            }
+            Unsolved::Sweeps { change, allowed, sweeps } => {
+                StepError::DragUnsettled { change, allowed, sweeps, law: law.describe(), time }
+            }
         })?;
         let (of_soil, of_water) = effective.split_at(soil.len());
         put(&mut self.soil.phase, of_soil);

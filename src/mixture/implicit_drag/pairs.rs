@@ -3,9 +3,10 @@
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::mixture::Phase;
-use crate::mixture::coupling::Coupling;
+use crate::mixture::across::Across;
 use crate::parallel;
 use crate::real::Real;
+use crate::space::Vector;
 
 /// Rows of a sparse matrix.
 #[derive(Clone, Debug, Default)]
@@ -77,32 +78,30 @@ impl Rows {
 }
 
 /// K_ia = V_i V_a C_a W_ia \[kg/s\] of each pair of soil and water, by soil and by water.
+#[derive(Clone, Debug)]
 pub(super) struct Pairs {
     pub(super) of_soil: Rows,
     pub(super) of_water: Rows,
 }
 
 impl Pairs {
-    /// With the neighbours listed last, and the densities and fractions of now.
+    /// With the neighbours listed last, the densities of now and C_a \[kg/m³/s\] at each water particle.
     pub(super) fn of<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
-        coupling: &Coupling<T, D>,
+        across: &Across<T, D>,
         kernel: &K,
         soil: &Phase<T, D, S>,
         water: &Phase<T, D, F>,
+        coefficient: impl Fn(usize) -> T,
     ) -> Self {
-        let law = &*coupling.drag;
         // V_a C_a.
-        let strengths: Vec<f64> = (0..water.len())
-            .map(|a| {
-                (water.volume(a) * law.coefficient(water.volume_fraction(a), water.true_density(a))).as_f64()
-            })
-            .collect();
+        let strengths: Vec<f64> =
+            (0..water.len()).map(|a| (water.volume(a) * coefficient(a)).as_f64()).collect();
         let rows = |range: core::ops::Range<usize>| {
             let mut rows = Rows::default();
             for i in range {
                 if !soil.is_apart(i) {
                     let volume = soil.volume(i).as_f64();
-                    coupling.across.for_each_water_near(i, |a, r2| {
+                    across.for_each_water_near(i, |a, r2| {
                         rows.push(a, volume * strengths[a] * kernel.value(r2).as_f64());
                     });
                 }
@@ -113,5 +112,33 @@ impl Pairs {
         let of_soil = parallel::reduce(soil.len(), Rows::default(), rows, |above, below| above.above(&below));
         let of_water = of_soil.transposed(water.len());
         Self { of_soil, of_water }
+    }
+
+    /// With each pair times the factor of its water particle.
+    pub(super) fn times(&self, factors: &[f64]) -> Self {
+        let mut pairs = self.clone();
+        for (value, &a) in pairs.of_soil.values.iter_mut().zip(&pairs.of_soil.columns) {
+            *value *= factors[a as usize];
+        }
+        let mut start = 0;
+        for (&end, factor) in pairs.of_water.ends.iter().zip(factors) {
+            pairs.of_water.values[start..end].iter_mut().for_each(|value| *value *= factor);
+            start = end;
+        }
+        pairs
+    }
+
+    /// |v_a − Σ K_ia v_i/Σ K_ia| at each water particle \[m/s\], of velocities with the soil first.
+    pub(super) fn slips<const D: usize>(&self, velocity: &[Vector<f64, D>]) -> Vec<f64> {
+        let (soil, water) = velocity.split_at(self.of_soil.len());
+        let slip = |(a, v): (usize, &Vector<f64, D>)| {
+            let (mut slip, mut weight) = (Vector::zero(), 0.0);
+            for (i, k) in self.of_water.of(a) {
+                slip += (*v - soil[i]) * k;
+                weight += k;
+            }
+            if weight > 0.0 { slip.norm() / weight } else { 0.0 }
+        };
+        water.iter().enumerate().map(slip).collect()
     }
 }

@@ -26,7 +26,7 @@ fn dense(
     let mut matrix = vec![vec![0.0; all]; all];
     for i in 0..n {
         for a in 0..water.len() {
-            let strength = law.coefficient(water.volume_fraction(a), water.true_density(a));
+            let strength = law.coefficient(water.volume_fraction(a), water.true_density(a), 0.0);
             let k = soil.volume(i) * water.volume(a) * strength * weight(mixture, i, a);
             matrix[i][i] += if one_sided { 0.0 } else { dt * k };
             matrix[n + a][n + a] += dt * k;
