@@ -12,7 +12,7 @@ use super::model::{Case, StepSize, Tank};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::material::{AnySurface, Soil, Water};
-use crate::mixture::Mixture;
+use crate::mixture::{DragScheme, Mixture};
 use crate::neighbours::{BruteForce, CellList, NeighbourSearch, Periodic};
 use crate::real::Real;
 use crate::simulation::Simulation;
@@ -41,6 +41,8 @@ pub enum BuildError {
     },
     /// The search is not part of this build.
     Search(SearchChoice),
+    /// Implicit drag is not part of this build.
+    DragScheme(DragScheme),
     /// A value the library refuses, perhaps because of rounding to single precision.
     Parameter(ParameterError),
 }
@@ -53,6 +55,9 @@ impl fmt::Display for BuildError {
             }
             Self::Search(search) => {
                 write!(f, "this build has no search \"{search}\": it needs the feature of that name")
+            }
+            Self::DragScheme(scheme) => {
+                write!(f, "this build has no drag scheme \"{scheme}\": it needs the feature `implicit`")
             }
             Self::Parameter(error) => write!(f, "{error}"),
         }
@@ -128,8 +133,8 @@ impl Case {
         if let Some(water) = &self.water {
             mixture = water.apply(mixture)?;
         }
-        if let Some(mixing) = &self.mixing {
-            mixture = mixing.apply(mixture)?;
+        if let (Some(mixing), Some(water)) = (&self.mixing, &self.water) {
+            mixture = mixing.apply(mixture, self, water)?;
         }
         for outlet in &self.outlets {
             mixture = mixture.with_outlet(array(&outlet.low), array(&outlet.high))?;

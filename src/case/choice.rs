@@ -104,6 +104,25 @@ choice! {
         None = "none",
         /// By Darcy's law (37).
         Darcy = "darcy",
+        /// With a conductivity that follows the porosity.
+        KozenyCarman = "kozeny-carman",
+        /// As Ergun's bed of grains.
+        Ergun = "ergun",
+        /// By Darcy's law with inertia.
+        Forchheimer = "forchheimer",
+    }
+}
+choice! {
+    /// How drag goes through a time step.
+    SchemeChoice {
+        /// Evaluated where the step bears it, else solved.
+        Automatic = "automatic",
+        /// Evaluated like any force.
+        Explicit = "explicit",
+        /// Solved over the step, by backward Euler.
+        BackwardEuler = "backward-euler",
+        /// Solved over the step, by SDIRK2.
+        SecondOrder = "second-order",
     }
 }
 choice! {

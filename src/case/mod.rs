@@ -23,6 +23,7 @@ mod build;
 mod check;
 mod choice;
 mod model;
+mod plan;
 mod preset;
 mod problem;
 mod read;
@@ -35,12 +36,13 @@ pub use crate::preset::Preset;
 pub use build::{BuildError, CaseSimulation, SoilLaw};
 pub use choice::{
     Axis, Choice, DiffusionKind, DragKind, Field, InitialPressure, InitialStress, IntegratorChoice,
-    KernelChoice, Precision, Quantity, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
+    KernelChoice, Precision, Quantity, SchemeChoice, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
 };
 pub use model::{
     Block, Case, Drag, Dumps, Frictional, Gauge, Inflow, Mixing, MovingWall, Neighbours, Output, Particles,
-    Region, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
+    Region, Seepage, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
 };
+pub use plan::{DragPlan, StepLimit};
 pub use problem::{CaseError, Problem, Warnings};
 
 impl Case {

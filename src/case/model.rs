@@ -1,9 +1,11 @@
 //! What a case says, with every default resolved. SI units throughout.
 
+mod drag;
 mod mixing;
 mod soil;
 
-pub use mixing::{Drag, Inflow, Mixing, Region};
+pub use drag::{Drag, Seepage};
+pub use mixing::{Inflow, Mixing, Region};
 pub use soil::{Frictional, Shape, Soil, SoilBody, Stiffness, Strength};
 pub(super) use soil::{ROUNDING, upright};
 

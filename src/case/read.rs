@@ -1,5 +1,6 @@
 //! A case file's tables, one function each.
 
+mod drag;
 mod mixing;
 mod soil;
 mod tank;
@@ -51,7 +52,7 @@ pub(super) fn case(reader: &Reader<'_>, root: &Section<'_, '_>) -> Case {
         precision: root.choice("precision").unwrap_or(Precision::F64),
         threads: root.count("threads", 0..=4096).unwrap_or(0) as usize,
         end_time,
-        mixing: context.mixing(&mixing, &particles, soil.is_some(), water.as_ref()),
+        mixing: context.mixing(&mixing, &particles, soil.as_ref(), water.as_ref()),
         output: context.output(&root.section("output"), end_time, soil.is_some()),
         soil,
         water,

@@ -111,7 +111,7 @@ impl<T: Real> Drag<T> {
         self.law.coefficient(water.volume_fraction(a), water.true_density(a), slip)
     }
 
-    /// The step at which explicit drag turns unstable under (71) with its half-step approximation, and under
+    /// The step at which explicit drag turns unstable under leap-frog with its half-step approximation, and under
     /// velocity-Verlet:
     ///
     /// $$\Delta t < 1\Big/\max_{i,a}\Big(\sum_b\frac{K_{ib}}{m_i} + \sum_j\frac{K_{ja}}{m_a}\Big)$$

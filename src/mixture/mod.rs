@@ -11,6 +11,7 @@ mod continuity;
 mod corrected;
 mod coupling;
 mod drag;
+mod drag_scheme;
 mod evaluation;
 mod evolve;
 mod extrapolation;
@@ -46,8 +47,7 @@ mod wall_stress;
 pub use artificial_stress::ArtificialStress;
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
-#[cfg(feature = "implicit")]
-pub use implicit_drag::DragScheme;
+pub use drag_scheme::DragScheme;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;

@@ -2,10 +2,11 @@
 //! ones say where, what and what is allowed.
 
 use crate::case_soil::{Mistake, each_is_named, read};
-use alluvium::case::{Case, Drag, SoilLaw};
+use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw};
 use alluvium::kernel::WendlandC2;
-use alluvium::mixture::{CouplingForm, Mixture, Slip, WallKind};
-use alluvium::time::{Evolve, LeapFrog};
+use alluvium::material::{Conductivity, Darcy, DragLaw, Ergun, Forchheimer, KozenyCarman, NoDrag, PoreFluid};
+use alluvium::mixture::{CouplingForm, DragScheme, Mixture, Slip, WallKind};
+use alluvium::time::{Evolve, LeapFrog, Limit};
 
 /// A jet on a saturated bed.
 const JET: &str = include_str!("../../examples/jet.toml");
@@ -54,7 +55,7 @@ fn the_case_is_the_same_again_with_every_default() {
     let case = read(TUBE).0;
     let mixing = case.mixing.clone().unwrap();
     assert_eq!(mixing.coupling, CouplingForm::PressureDifference);
-    assert_eq!(mixing.drag, Drag::Darcy { conductivity: 0.01 });
+    assert_eq!(mixing.drag, Drag::Darcy(Seepage::Conductivity(0.01)));
     let sound = case.water.as_ref().unwrap().sound_speed;
     assert!((mixing.relaxation_time - 400.0 * case.smoothing_length() / sound).abs() < 1e-12);
     // One and a half times the spacing of water in the soil.
@@ -62,6 +63,7 @@ fn the_case_is_the_same_again_with_every_default() {
     let paper = read(&format!("preset = \"paper\"\n{TUBE}")).0;
     let mixing = paper.mixing.unwrap();
     assert_eq!((mixing.coupling, mixing.relaxation_time), (CouplingForm::Printed, 0.0));
+    assert_eq!(mixing.drag_scheme, SchemeChoice::Explicit);
     assert_eq!(paper.particles.smoothing_ratio, 1.0);
 }
 
@@ -70,6 +72,12 @@ const MISTAKES: &[Mistake] = &[
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "", key: "mixture.hydraulic_conductivity_m_per_s", value: "", what: "missing key", allowed: "[m/s]" },
     Mistake { from: "5e-4\n", to: "-5e-4\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "-5e-4", what: "is out of range", allowed: "above 0.0" },
     Mistake { from: "[mixture]\n", to: "[mixture]\ndrag = \"none\"\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "5e-4", what: "contradicts drag = \"none\"", allowed: "\"darcy\"" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\nintrinsic_permeability_m2 = 1e-11\n", key: "mixture.intrinsic_permeability_m2", value: "1e-11", what: "says a second time", allowed: "one of the two" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\ngrain_diameter_m = 1e-3\n", key: "mixture.grain_diameter_m", value: "1e-3", what: "contradicts drag = \"darcy\"", allowed: "\"ergun\"" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\ndrag = \"ergun\"\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "5e-4", what: "contradicts drag = \"ergun\"", allowed: "\"forchheimer\"" },
+    Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"ergun\"\n", key: "mixture.grain_diameter_m", value: "", what: "missing key", allowed: "[m]" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\ndrag = \"kozeny-carman\"\ngrain_diameter_m = 1e-3\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "5e-4", what: "contradicts grain_diameter_m", allowed: "\"darcy\"" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\ndrag_scheme = \"implicit\"\n", key: "mixture.drag_scheme", value: "\"implicit\"", what: "is not a choice", allowed: "\"backward-euler\"" },
     Mistake { from: "[mixture]\n", to: "[mixture]\ncoupling = \"pressure difference\"\n", key: "mixture.coupling", value: "\"pressure difference\"", what: "did you mean \"pressure-difference\"?", allowed: "\"printed\"" },
     Mistake { from: "[mixture]\n", to: "[mixture]\nconductivity_m_per_s = 1.0\n", key: "mixture.conductivity_m_per_s", value: "1.0", what: "did you mean `hydraulic_conductivity_m_per_s`?", allowed: "density_relaxation_s" },
     Mistake { from: "volume_fraction = 0.5", to: "volume_fraction = 1.0", key: "soil.volume_fraction", value: "1.0", what: "leaves water 0.00 of the space", allowed: "0.95" },
@@ -92,6 +100,111 @@ fn every_mistake_is_named() {
         error.problems.iter().any(|p| p.key == "mixture" && p.what.contains("nothing to couple")),
         "{error}"
     );
+}
+
+/// The jet with another law of drag, in water of this viscosity.
+fn dragged_by(law: &str, viscosity: f64) -> String {
+    let sound = "sound_speed_m_per_s = 250.0\n";
+    JET.replace("hydraulic_conductivity_m_per_s = 5e-4\n", law)
+        .replace(sound, &format!("{sound}viscosity_pa_s = {viscosity:?}\n"))
+}
+
+#[test]
+fn every_law_of_drag_is_the_same_again_and_that_of_the_library() {
+    let (fluid, seepage) = (PoreFluid::new(1000.0, 9.81, 1e-3).unwrap(), Conductivity::new(2e-3).unwrap());
+    let k = "hydraulic_conductivity_m_per_s = 2e-3\n";
+    let permeability = seepage.permeability(&fluid).unwrap();
+    let laws: [(String, Box<dyn DragLaw<f64>>); 8] = [
+        ("drag = \"none\"\n".to_owned(), Box::new(NoDrag)),
+        (k.to_owned(), Box::new(Darcy::new(seepage))),
+        (
+            format!("intrinsic_permeability_m2 = {:?}\n", permeability.square_metres()),
+            Box::new(Darcy::new(permeability.conductivity(&fluid).unwrap())),
+        ),
+        (
+            "drag = \"kozeny-carman\"\ngrain_diameter_m = 1e-3\n".to_owned(),
+            Box::new(KozenyCarman::of_grains(1e-3, 1e-3).unwrap()),
+        ),
+        // Measured where the soil begins, unless told otherwise.
+        (format!("drag = \"kozeny-carman\"\n{k}"), Box::new(KozenyCarman::measured(seepage, 0.5).unwrap())),
+        (
+            format!("drag = \"kozeny-carman\"\n{k}reference_porosity = 0.4\n"),
+            Box::new(KozenyCarman::measured(seepage, 0.4).unwrap()),
+        ),
+        ("drag = \"ergun\"\ngrain_diameter_m = 1e-3\n".to_owned(), Box::new(Ergun::new(1e-3, 1e-3).unwrap())),
+        (format!("drag = \"forchheimer\"\n{k}"), Box::new(Forchheimer::new(seepage, &fluid, 0.55).unwrap())),
+    ];
+    for (text, law) in laws {
+        let case = read(&dragged_by(&text, 1e-3)).0;
+        assert_eq!(read(&case.to_string()).0, case, "{text}");
+        let built = case.mixture::<f64, 2, _>(WendlandC2::new(case.smoothing_length()).unwrap()).unwrap();
+        assert_eq!(built.drag_law().describe(), law.describe());
+        for slip in [0.0, 0.3] {
+            let found = built.drag_law().coefficient(0.45, 998.0, slip);
+            assert!((found - law.coefficient(0.45, 998.0, slip)).abs() <= 1e-12 * found, "{text}");
+        }
+    }
+    let thin = dragged_by("drag = \"ergun\"\ngrain_diameter_m = 1e-3\n", 0.0);
+    let error = Case::parse("case.toml", &thin).expect_err("no viscosity");
+    assert!(error.problems.iter().any(|p| p.key == "water.viscosity_pa_s"), "{error}");
+}
+
+#[test]
+fn the_scheme_of_drag_follows_its_stiffness() {
+    let plan = |text: &str| read(text).0.drag_plan().unwrap();
+    let at = |k: &str| JET.replace("5e-4", k);
+    // Of Table 3's soil and water at k = 5e-4 m/s.
+    let paper = plan(&at("5e-4"));
+    let c: f64 = 0.25 * 1000.0 * 9.81 / 5e-4;
+    let stopping_time = 1.0 / (c * (1.0 / 500.0 + 1.0 / 1350.0));
+    assert!((paper.stopping_time / stopping_time - 1.0).abs() < 1e-12);
+    // m₂ = 5/18 of Wendland's C2 in the plane.
+    let viscosity = 5.0 / 18.0 * 0.015 * 0.015 * c / 1850.0;
+    assert!((paper.spurious_viscosity / viscosity - 1.0).abs() < 1e-8);
+    assert_eq!(plan(&at("5e-3")).scheme, DragScheme::Explicit);
+    assert_eq!(plan(&at("1e-6")).scheme, DragScheme::BackwardEuler);
+    let said = |scheme: &str| {
+        plan(&at("1e-6").replace("[mixture]\n", &format!("[mixture]\ndrag_scheme = \"{scheme}\"\n")))
+    };
+    assert_eq!(said("explicit").scheme, DragScheme::Explicit);
+    assert_eq!(said("second-order").scheme, DragScheme::SecondOrder);
+    assert_eq!(plan(&format!("preset = \"paper\"\n{}", at("1e-6"))).scheme, DragScheme::Explicit);
+}
+
+#[test]
+fn every_limit_of_the_step_is_told_before() {
+    let case = read(JET).0;
+    let limits = case.step_limits();
+    let speed = |name: &str| {
+        let limit = limits.iter().find(|limit| limit.name == name).unwrap();
+        0.2 * case.smoothing_length() / limit.step
+    };
+    // Table 3: 273 m/s drained, 349.5 m/s with the water in it.
+    assert!((speed("acoustic (water)") - 250.0).abs() < 1e-9);
+    assert!((speed("acoustic (soil)") - 273.5).abs() < 0.5, "{}", speed("acoustic (soil)"));
+    let together = speed("acoustic (soil and water as one)");
+    assert!((together - 349.5).abs() < 0.5, "{together}");
+    let names: Vec<_> = limits.iter().map(|limit| limit.name).collect();
+    assert!(names.contains(&"viscous") && names.contains(&"force") && names.contains(&"drag"));
+}
+
+#[test]
+fn a_stiff_case_runs_at_the_step_of_sound() {
+    let case = read(&JET.replace("5e-4", "1e-8")).0;
+    let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).unwrap();
+    let mut run = case.simulation(kernel, LeapFrog::new());
+    if cfg!(feature = "implicit") {
+        let run = run.as_mut().unwrap();
+        for _ in 0..3 {
+            assert_eq!(run.step().unwrap().limit, Limit::Acoustic);
+        }
+    }
+    let solved = read(&JET.replace("[mixture]\n", "[mixture]\ndrag_scheme = \"backward-euler\"\n")).0;
+    let built = solved.simulation(kernel, LeapFrog::new());
+    assert_eq!(built.is_ok(), cfg!(feature = "implicit"));
+    if let Err(error) = built {
+        assert!(error.to_string().contains("feature `implicit`"), "{error}");
+    }
 }
 
 #[test]

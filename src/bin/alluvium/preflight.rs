@@ -3,7 +3,7 @@
 use crate::connect;
 use crate::outcome::Failure;
 use crate::run::read_case;
-use alluvium::case::{Case, Soil, StepSize};
+use alluvium::case::{Case, DragPlan, Soil, StepLimit, StepSize};
 use std::path::Path;
 
 /// `alluvium check CASE.toml`.
@@ -20,9 +20,10 @@ pub fn check_file(path: &Path) -> Result<(), Failure> {
 pub fn summary(case: &Case) -> String {
     let (spacing, h, support) = (case.particles.spacing, case.smoothing_length(), case.support());
     let neighbours = neighbours(case.dimension, support / spacing);
-    let limits = limits(case);
+    let limits = case.step_limits();
+    let bound = limits.iter().filter(|limit| limit.binds);
     let (name, shortest) =
-        limits.iter().copied().fold(("", f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
+        bound.fold(("", f64::INFINITY), |a, b| if b.step < a.1 { (b.name, b.step) } else { a });
     let step = if let StepSize::Fixed(step) = case.time.step { step } else { shortest };
     let steps = (case.end_time / step).ceil();
     let (soil, water) = (case.soil_particles(), case.water_particles());
@@ -43,9 +44,11 @@ pub fn summary(case: &Case) -> String {
     if let Some(soil) = &case.soil {
         lines.push(speeds(soil));
     }
-    lines.extend(
-        limits.iter().map(|(name, limit)| format!("step allowed by the {name} limit: {limit:.3e} s")),
-    );
+    for StepLimit { name, step, binds } in &limits {
+        let note = if *binds { "" } else { ", not kept to" };
+        lines.push(format!("step allowed by the {name} limit: {step:.3e} s{note}"));
+    }
+    lines.extend(case.drag_plan().iter().flat_map(drag));
     let binding = if step == shortest { format!("bound by the {name} limit") } else { "fixed".to_owned() };
     lines.push(format!("step {step:.3e} s, {binding}: about {steps} steps to {} s", case.end_time));
     lines.push(format!("about {:.3e} particle-steps, walls not counted", work));
@@ -57,20 +60,16 @@ fn speeds(soil: &Soil) -> String {
     format!("compression waves in the soil at {wave:.3} m/s, speed of sound {sound:.3} m/s")
 }
 
-/// Estimates of the step each limit allows \[s\].
-fn limits(case: &Case) -> Vec<(&'static str, f64)> {
-    let h = case.smoothing_length();
-    let courant = if let StepSize::Courant(courant) = case.time.step { courant } else { 0.2 };
-    let gravity = case.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
-    let mut limits = vec![("acoustic", courant * h / case.fastest_wave())];
-    if let Some(water) = case.water.as_ref().filter(|water| water.viscosity > 0.0) {
-        limits.push(("viscous", 0.125 * h * h * water.reference_density / water.viscosity));
-    }
-    if gravity > 0.0 {
-        // Of gravity alone: a splash is accelerated more.
-        limits.push(("force", 0.25 * (h / gravity).sqrt()));
-    }
-    limits
+/// How drag goes through a step, and what it does to motion that soil and water share.
+fn drag(plan: &DragPlan) -> [String; 2] {
+    let stiffness = plan.step / plan.stopping_time;
+    [
+        format!(
+            "drag by {}: t_s = {:.3e} s, Δt/t_s = {stiffness:.3e} without its limit; {} ({})",
+            plan.law, plan.stopping_time, plan.scheme, plan.why
+        ),
+        format!("spurious viscosity of drag between particles: {:.3e} m²/s", plan.spurious_viscosity),
+    ]
 }
 
 /// Lattice points within a support of `ratio` spacings, without the centre.

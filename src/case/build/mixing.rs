@@ -1,11 +1,9 @@
 //! What is between the soil and the water of a case.
 
-use super::SoilLaw;
-use crate::case::model::{Drag, Mixing};
-use crate::error::ParameterError;
+use super::{BuildError, SoilLaw};
+use crate::case::model::{Case, Mixing, Water};
 use crate::kernel::Kernel;
-use crate::material::{Conductivity, Darcy};
-use crate::mixture::Mixture;
+use crate::mixture::{DragScheme, Mixture};
 use crate::real::Real;
 
 impl Mixing {
@@ -13,16 +11,30 @@ impl Mixing {
     pub(super) fn apply<T: Real, const D: usize, K: Kernel<T, D>>(
         &self,
         mut mixture: Mixture<T, D, K, SoilLaw<T>>,
-    ) -> Result<Mixture<T, D, K, SoilLaw<T>>, ParameterError> {
-        mixture = mixture.with_coupling(self.coupling);
+        case: &Case,
+        water: &Water,
+    ) -> Result<Mixture<T, D, K, SoilLaw<T>>, BuildError> {
+        mixture = mixture.with_coupling(self.coupling).with_drag(self.drag.law::<T>(water)?);
         if self.relaxation_time > 0.0 {
             mixture = mixture.with_density_relaxation(T::of(self.relaxation_time))?;
         }
-        Ok(match self.drag {
-            Drag::None => mixture,
-            Drag::Darcy { conductivity } => {
-                mixture.with_drag(Darcy::new(Conductivity::new(T::of(conductivity))?))
-            }
-        })
+        let scheme = case.drag_plan().map_or(DragScheme::Explicit, |plan| plan.scheme);
+        with_scheme(mixture, scheme)
     }
+}
+
+#[cfg(feature = "implicit")]
+fn with_scheme<T: Real, const D: usize, K: Kernel<T, D>>(
+    mixture: Mixture<T, D, K, SoilLaw<T>>,
+    scheme: DragScheme,
+) -> Result<Mixture<T, D, K, SoilLaw<T>>, BuildError> {
+    Ok(mixture.with_drag_scheme(scheme))
+}
+
+#[cfg(not(feature = "implicit"))]
+fn with_scheme<T: Real, const D: usize, K: Kernel<T, D>>(
+    mixture: Mixture<T, D, K, SoilLaw<T>>,
+    scheme: DragScheme,
+) -> Result<Mixture<T, D, K, SoilLaw<T>>, BuildError> {
+    if scheme == DragScheme::Explicit { Ok(mixture) } else { Err(BuildError::DragScheme(scheme)) }
 }

@@ -13,6 +13,11 @@ pub(super) fn mixing(reader: &Reader<'_>, case: &Case) {
             "a number from 0.0 to 0.95 beside [water]; 0.5 to 0.7 is usual",
         );
     }
+    let needs_viscosity = case.mixing.as_ref().is_some_and(|mixing| mixing.drag.needs_viscosity());
+    if needs_viscosity && case.water.as_ref().is_some_and(|water| water.viscosity == 0.0) {
+        let why = "leaves the law of drag without the viscosity it needs";
+        reader.error("water.viscosity_pa_s", why, "a number above 0.0 [Pa s]; 0.001 is water");
+    }
     for (n, inflow) in case.water.iter().flat_map(|water| &water.inflows).enumerate() {
         long_enough(reader, case, n, inflow);
     }

@@ -1,5 +1,7 @@
 //! What is between soil and water in a case, and where particles come and go.
 
+use super::Drag;
+use crate::case::choice::SchemeChoice;
 use crate::mixture::CouplingForm;
 
 /// What is between soil and water.
@@ -11,18 +13,8 @@ pub struct Mixing {
     pub relaxation_time: f64,
     /// How they drag each other.
     pub drag: Drag,
-}
-
-/// How soil and water drag each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Drag {
-    /// Not at all.
-    None,
-    /// By Darcy's law (37).
-    Darcy {
-        /// Hydraulic conductivity k \[m/s\].
-        conductivity: f64,
-    },
+    /// How drag goes through a time step.
+    pub drag_scheme: SchemeChoice,
 }
 
 /// A box.

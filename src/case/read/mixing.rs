@@ -1,9 +1,9 @@
 //! `[mixture]`, and where particles come and go: `[[water.inflow]]`, `[[outlet]]`, `[domain]`.
 
 use super::{Context, FAR};
-use crate::case::bounds::{from_to, positive};
-use crate::case::choice::DragKind;
-use crate::case::model::{Drag, Inflow, Mixing, Particles, Region, Water};
+use crate::case::bounds::from_to;
+use crate::case::choice::SchemeChoice;
+use crate::case::model::{Inflow, Mixing, Particles, Region, Soil, Water};
 use crate::case::section::Section;
 use crate::mixture::CouplingForm;
 use crate::preset::Preset;
@@ -17,10 +17,10 @@ impl Context<'_, '_> {
         &self,
         section: &Section<'_, '_>,
         particles: &Particles,
-        has_soil: bool,
+        soil: Option<&Soil>,
         water: Option<&Water>,
     ) -> Option<Mixing> {
-        let Some(water) = water.filter(|_| has_soil) else {
+        let (Some(soil), Some(water)) = (soil, water) else {
             if section.is_given() {
                 let why = "has nothing to couple";
                 self.reader.error("mixture", why, "[soil] and [water] beside it, or no [mixture]");
@@ -37,29 +37,13 @@ impl Context<'_, '_> {
             let why = "has no effect: it acts where pressure acts by differences";
             self.reader.warning(&section.name("density_relaxation_s"), why, "0.0, or another coupling");
         }
-        let mixing = Mixing { coupling, relaxation_time: time.unwrap_or(usual), drag: self.drag(section) };
+        let relaxation_time = time.unwrap_or(usual);
+        let drag = self.drag(section, soil);
+        let usual = if is_paper { SchemeChoice::Explicit } else { SchemeChoice::Automatic };
+        let drag_scheme = section.choice("drag_scheme").unwrap_or(usual);
+        let mixing = Mixing { coupling, relaxation_time, drag, drag_scheme };
         section.finish();
         Some(mixing)
-    }
-
-    fn drag(&self, section: &Section<'_, '_>) -> Drag {
-        let key = "hydraulic_conductivity_m_per_s";
-        let conductivity = section.number(key, positive(1e6, "m/s"));
-        match section.choice("drag").unwrap_or(DragKind::Darcy) {
-            DragKind::None => {
-                if conductivity.is_some() {
-                    let why = "contradicts drag = \"none\"";
-                    self.reader.error(&section.name(key), why, "leave it out, or drag = \"darcy\"");
-                }
-                Drag::None
-            }
-            DragKind::Darcy => {
-                if conductivity.is_none() {
-                    self.reader.missing("mixture", key, positive(1e6, "m/s").to_string());
-                }
-                Drag::Darcy { conductivity: conductivity.unwrap_or(1.0) }
-            }
-        }
     }
 
     pub(super) fn inflow(&self, section: &Section<'_, '_>) -> Inflow {

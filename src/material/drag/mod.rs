@@ -15,6 +15,7 @@ pub use kozeny_carman::KozenyCarman;
 use crate::error::ParameterError;
 use crate::real::Real;
 use core::fmt::Debug;
+use std::sync::Arc;
 
 /// A law of drag between soil and the water in it.
 ///
@@ -57,6 +58,21 @@ pub trait DragLaw<T: Real>: Debug + Send + Sync {
     /// The law in a few words, with its parameters, for messages.
     fn describe(&self) -> String {
         format!("{self:?}")
+    }
+}
+
+impl<T: Real> DragLaw<T> for Arc<dyn DragLaw<T>> {
+    fn coefficient(&self, fraction: T, true_density: T, slip: T) -> T {
+        (**self).coefficient(fraction, true_density, slip)
+    }
+    fn knows_slip(&self) -> bool {
+        (**self).knows_slip()
+    }
+    fn tangent(&self, fraction: T, true_density: T, slip: T) -> T {
+        (**self).tangent(fraction, true_density, slip)
+    }
+    fn describe(&self) -> String {
+        (**self).describe()
     }
 }
 

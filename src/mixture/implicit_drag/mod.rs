@@ -15,7 +15,7 @@ mod sweeps;
 mod system;
 
 use super::phase::Phase;
-use super::{Mixture, StepError};
+use super::{DragScheme, Mixture, StepError};
 use crate::budget::{Account, Exchange};
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -24,7 +24,6 @@ use crate::real::Real;
 use crate::space::Vector;
 use crate::time::Moment;
 use pairs::Pairs;
-pub use scheme::DragScheme;
 use scheme::Stage;
 use sweeps::Sweeps;
 use system::{System, Unsolved};

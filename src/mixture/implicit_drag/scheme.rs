@@ -1,22 +1,8 @@
 //! The schemes that take drag through a step, stage by stage.
 
 use super::system::Unsolved;
+use crate::mixture::DragScheme;
 use crate::space::Vector;
-
-/// How drag between soil and water goes through a time step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum DragScheme {
-    /// Evaluated like any force: it limits the step, the harder the lower the conductivity.
-    #[default]
-    Explicit,
-    /// Backward Euler: of first order, damps a slip by 1/(1 + Δt/t_s) and never reverses it; the right
-    /// terminal slip at any step.
-    BackwardEuler,
-    /// The two-stage method SDIRK2 with γ = 1 − 1/√2 (Alexander 1977): of second order where Δt < t_s,
-    /// damps stiff slip as well, but may reverse a small part of it; two solves.
-    SecondOrder,
-}
 
 /// γ of SDIRK2.
 const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
