@@ -34,6 +34,7 @@ mod motions;
 mod operators;
 mod operators_exact;
 mod powers;
+mod precision;
 mod scene;
 mod seepage;
 mod soil;
@@ -70,6 +71,7 @@ fn studies() -> Vec<Study> {
         mixture_rates::studies(),
         seepage::studies(),
         manufactured::studies(),
+        precision::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),
