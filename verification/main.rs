@@ -16,6 +16,8 @@ mod bench;
 #[cfg(feature = "case")]
 mod budgets;
 mod channel;
+mod consolidation;
+mod coupled_waves;
 mod dam_break;
 mod dam_run;
 mod driver;
@@ -33,10 +35,12 @@ mod mixture_rates;
 mod motions;
 mod operators;
 mod operators_exact;
+mod pore_volumes;
 mod powers;
 mod precision;
 mod scene;
 mod seepage;
+mod settling;
 mod soil;
 mod soil_cut;
 mod soil_plate;
@@ -72,6 +76,10 @@ fn studies() -> Vec<Study> {
         seepage::studies(),
         manufactured::studies(),
         precision::studies(),
+        pore_volumes::studies(),
+        settling::studies(),
+        consolidation::studies(),
+        coupled_waves::studies(),
         sound::studies(),
         taylor_green::studies(),
         channel::studies(),

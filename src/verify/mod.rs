@@ -23,6 +23,7 @@
 //! ```
 
 mod arrangement;
+pub mod consolidation;
 mod curve;
 pub mod dam_break;
 mod environment;

@@ -1,0 +1,194 @@
+//! What long seepage through soil must not do to the water: lose pressure, crowd, or be held by the lattice
+//! of the grains.
+
+use crate::soil::elastic;
+use crate::water::periodic;
+use alluvium::kernel::{Kernel, WendlandC2};
+use alluvium::material::{Conductivity, Darcy, NoDrag, Soil, Unyielding, Water};
+use alluvium::mixture::{CouplingForm, DensityDiffusion, Mixture, Phase, Wall};
+use alluvium::simulation::Simulation;
+use alluvium::time::{Evolve, LeapFrog, StepSize};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
+use alluvium::{Vector, setup};
+
+const UNRELAXED: &str = "density that is not relaxed";
+const PRINTED: &str = "pressure by (55), (58) as printed";
+const PARTIAL: &str = "diffusion of the partial density, as printed";
+const GRAVITY: f64 = 9.81;
+const SPACING: f64 = 0.05;
+const SOUND_SPEED: f64 = 30.0;
+/// Pressure at the start \[Pa\].
+const PRESSURE: f64 = 3e4;
+/// Volume fraction of the soil \[-\], its conductivity \[m/s\] and the gradient of the head in it \[-\].
+const FRACTION: f64 = 0.55;
+const CONDUCTIVITY: f64 = 0.01;
+const SLOPE: f64 = 4.0;
+/// Columns of soil, and as many of water without soil.
+const COLUMNS: f64 = 24.0;
+
+pub fn studies() -> Vec<Study> {
+    vec![
+        drift("mixture/pore volumes/quick", &[1.0]),
+        drift("mixture/pore volumes/to five", &[1.0, 2.0, 5.0]).level(Level::Full),
+        Study::new(
+            "mixture/no locking in motion/2d/f64",
+            "water under 30 kPa that moves through soil without drag keeps its speed over 20 Δx (value: the \
+             part it loses)",
+            |c| Measured::value(1.0 - speed_left(c)),
+        )
+        .equations(&["55", "58"])
+        .source("nothing holds it")
+        .expect(Expected::Bound { largest: 0.01 })
+        .mutant(PRINTED),
+        Study::new(
+            "mixture/jump of the fraction/2d/f64",
+            "at uniform true density and rest, density changes nowhere, also where soil ends (values: largest \
+             Dρ/Dt in kg/m³/s)",
+            |c| {
+                let of = DensityDiffusion::TrueDensity(0.1);
+                let kinds = [("true density", of), ("hydrostatic", DensityDiffusion::Hydrostatic(0.1))];
+                Measured::values(kinds.map(|(name, kind)| (name, fastest_change(kind, c))))
+            },
+        )
+        .equations(&["52", "54", "69"])
+        .source("Dρ/Dt = ρ̃ Dφ/Dt + φ Dρ̃/Dt, of which neither changes at rest")
+        .expect(Expected::Bound { largest: 1e-9 })
+        .mutant(PARTIAL),
+    ]
+}
+
+type Both = Mixture<f64, 2, WendlandC2<f64, 2>, Soil<f64, Unyielding>, Water<f64>>;
+
+/// Water everywhere in a periodic strip under [`PRESSURE`], soil that is held in the first `columns` of it.
+fn strip(length: f64, columns: f64, h: f64) -> Both {
+    let size = [length * SPACING, 8.0 * SPACING];
+    let volume = SPACING * SPACING;
+    let mut soil = Phase::new(elastic::<f64>());
+    let grains = setup::fill([0.0; 2], [columns * SPACING, size[1]], SPACING);
+    soil.add_wall(Wall::dynamic(), &grains, volume, |_| 0.0).expect("soil that is held");
+    soil.set_volume_fraction(|_| FRACTION);
+    let mut water = Phase::new(Water::new(1000.0, SOUND_SPEED).expect("water"));
+    water.add(&setup::fill([0.0; 2], size, SPACING), volume, |_| PRESSURE).expect("water");
+    Mixture::new(WendlandC2::new(h).expect("a length"), soil, water).with_periodic(periodic(size))
+}
+
+fn drift(name: &str, volumes: &'static [f64]) -> Study {
+    Study::new(
+        name,
+        "water driven through soil and round again keeps Darcy's flow, its pressure and its spacing (values, \
+         over what is allowed: flow, 5 %; mean pressure, 20 %; Σ V W in each column, 0.02)",
+        |c| seep(volumes, c),
+    )
+    .equations(&["37", "52", "55", "58", "69"])
+    .source("steady flow q = k i; nothing leaves")
+    .expect(Expected::Bound { largest: 1.0 })
+    .mutant(UNRELAXED)
+}
+
+/// After so many pore volumes.
+fn seep(volumes: &[f64], conditions: &Conditions) -> Measured {
+    // 1.5 spacings of the water in the soil.
+    let h = 1.5 * SPACING / (1.0 - FRACTION).sqrt();
+    let length = 2.0 * COLUMNS;
+    let flow = CONDUCTIVITY * SLOPE;
+    // The push on all water is the loss of head in the soil.
+    let pull = Vector([GRAVITY * SLOPE * COLUMNS / length, 0.0]);
+    let darcy = Darcy::new(Conductivity::new(CONDUCTIVITY).expect("a conductivity"));
+    let mut mixture = strip(length, COLUMNS, h).with_gravity(pull).with_drag(darcy);
+    if !conditions.is(UNRELAXED) {
+        mixture = mixture.with_density_relaxation(200.0 * h / SOUND_SPEED).expect("a time");
+    }
+    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
+    let one = COLUMNS * SPACING * (1.0 - FRACTION) / flow;
+    let mut measured = Measured::default();
+    for &volume in volumes {
+        let (begin, end) = ((volume - 0.2) * one, volume * one);
+        let (mut seeped, mut pressure) = (0.0, 0.0);
+        while run.time() < end {
+            let step = run.step_at_most(end - run.time()).expect("a step");
+            if run.time() > begin {
+                let part = step.length / (end - begin);
+                seeped += part * through(run.mixture());
+                let water = run.mixture().water();
+                pressure += part * water.pressures().iter().sum::<f64>() / water.len() as f64;
+            }
+        }
+        let (least, most) = excess_of_space(run.mixture(), length);
+        let crowded = most.max(-least);
+        let values = [
+            ("flow", (seeped / flow - 1.0) / 0.05),
+            ("pressure", (pressure / PRESSURE - 1.0) / 0.2),
+            ("space", crowded / 0.02),
+        ];
+        let named = values.map(|(name, value)| (format!("{name} after {volume}"), value));
+        measured.points.extend(Measured::values(named).points);
+        measured = measured.note(format!(
+            "after {volume} pore volumes: q/(k i) = {:.3}, mean pressure {:.1} kPa, S − 1 − s₀ from {least:.4} \
+             to {most:.4}",
+            seeped / flow,
+            1e-3 * pressure,
+        ));
+    }
+    measured
+}
+
+/// ⟨φ v⟩ in the soil \[m/s\].
+fn through(mixture: &Both) -> f64 {
+    let water = mixture.water();
+    let inside = |a: &usize| water.positions()[*a][0] < COLUMNS * SPACING;
+    let flow = |a: usize| water.volume(a) * water.volume_fraction(a) * water.velocities()[a][0];
+    (0..water.len()).filter(inside).map(flow).sum::<f64>() / (COLUMNS * SPACING * 8.0 * SPACING)
+}
+
+/// Least and largest S − 1 − s₀, S = Σ V W, means column by column.
+fn excess_of_space(mixture: &Both, length: f64) -> (f64, f64) {
+    let (water, kernel) = (mixture.water(), mixture.kernel());
+    let size = [length * SPACING, 8.0 * SPACING];
+    let mut bins = [(0.0, 0.0); 2 * COLUMNS as usize];
+    for a in 0..water.len() {
+        let near = |b: usize| {
+            let x = water.positions()[a] - water.positions()[b];
+            let r2 = (0..2).map(|k| (x[k] - size[k] * (x[k] / size[k]).round()).powi(2)).sum::<f64>();
+            if r2.sqrt() < kernel.support() { water.volume(b) * kernel.value::<f64>(r2) } else { 0.0 }
+        };
+        let space: f64 = (0..water.len()).map(near).sum();
+        let ratio = kernel.smoothing_length() / water.volume(a).sqrt();
+        let column = (water.positions()[a][0] / SPACING) as usize;
+        let last = bins.len() - 1;
+        let bin = &mut bins[column.min(last)];
+        *bin = (bin.0 + space - 1.0 - lattice_excess(ratio), bin.1 + 1.0);
+    }
+    let means = bins.iter().map(|(sum, count)| sum / count);
+    means.fold((f64::MAX, f64::MIN), |(least, most), mean| (least.min(mean), most.max(mean)))
+}
+
+/// `Σ V W − 1` on a square lattice with h = `ratio` spacings.
+fn lattice_excess(ratio: f64) -> f64 {
+    let kernel = WendlandC2::<f64, 2>::new(ratio).expect("a length");
+    let reach = (2.0 * ratio) as i32;
+    let cells = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| f64::from(i * i + j * j)));
+    cells.filter(|r2| r2.sqrt() < kernel.support()).map(|r2| kernel.value::<f64>(r2)).sum::<f64>() - 1.0
+}
+
+/// The part of its speed that water keeps on a way of 20 Δx, at a slope to the lattice it begins on.
+fn speed_left(conditions: &Conditions) -> f64 {
+    let form = if conditions.is(PRINTED) { CouplingForm::Printed } else { CouplingForm::PressureDifference };
+    let speed = 0.5;
+    let mut mixture = strip(24.0, 24.0, 1.5 * SPACING).with_coupling(form).with_drag(NoDrag);
+    mixture.water_mut().set_velocity(|_| Vector([speed, 0.3 * speed]));
+    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
+    let end = 20.0 * SPACING / speed;
+    while run.time() < end {
+        run.step_at_most(end - run.time()).expect("a step");
+    }
+    let velocities = run.mixture().water().velocities();
+    velocities.iter().map(|v| v[0]).sum::<f64>() / velocities.len() as f64 / speed
+}
+
+fn fastest_change(kind: DensityDiffusion<f64>, conditions: &Conditions) -> f64 {
+    let kind = if conditions.is(PARTIAL) { DensityDiffusion::PartialDensity(0.1) } else { kind };
+    let mut mixture = strip(24.0, 12.0, 1.5 * SPACING).with_density_diffusion(kind).expect("a number");
+    mixture.evaluate().expect("rates");
+    let water = mixture.water();
+    (0..water.len()).map(|a| water.density_rate(a).abs()).fold(0.0, f64::max)
+}
