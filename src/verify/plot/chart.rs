@@ -4,21 +4,21 @@ use super::canvas::{Anchor, Canvas, Stroke};
 use super::colour::SERIES;
 use super::scale::Scale;
 
-const MARGIN: Margin = Margin { left: 84.0, right: 22.0, top: 46.0, bottom: 58.0 };
+pub(super) const MARGIN: Margin = Margin { left: 84.0, right: 22.0, top: 46.0, bottom: 58.0 };
 
-/// Width and height of a chart.
-const SIZE: (f64, f64) = (760.0, 480.0);
+/// Width and height of a chart; a legend beside it makes it wider.
+pub(super) const SIZE: (f64, f64) = (760.0, 480.0);
 
-struct Margin {
-    left: f64,
-    right: f64,
-    top: f64,
-    bottom: f64,
+pub(super) struct Margin {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    pub(super) top: f64,
+    pub(super) bottom: f64,
 }
 
 /// How a series is drawn.
 #[derive(Clone, Debug)]
-enum Style {
+pub(super) enum Style {
     Line(&'static str),
     Points(Marker),
     /// Filled down to these values.
@@ -26,7 +26,7 @@ enum Style {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Marker {
+pub(super) enum Marker {
     Circle,
     Square,
     Diamond,
@@ -36,10 +36,10 @@ enum Marker {
 /// One curve, set of points or band.
 #[derive(Clone, Debug)]
 pub struct Series {
-    name: String,
-    points: Vec<(f64, f64)>,
-    style: Style,
-    colour: Option<&'static str>,
+    pub(super) name: String,
+    pub(super) points: Vec<(f64, f64)>,
+    pub(super) style: Style,
+    pub(super) colour: Option<&'static str>,
 }
 
 impl Series {
@@ -86,7 +86,7 @@ pub struct Chart {
     x_range: Option<(f64, f64)>,
     y_range: Option<(f64, f64)>,
     logarithmic: (bool, bool),
-    series: Vec<Series>,
+    pub(super) series: Vec<Series>,
 }
 
 impl Chart {
@@ -132,12 +132,8 @@ impl Chart {
 
     /// The picture.
     pub fn svg(&self) -> String {
-        let (width, height) = SIZE;
-        let mut canvas = Canvas::new(width, height);
-        let places_x = (MARGIN.left, width - MARGIN.right);
-        let places_y = (height - MARGIN.bottom, MARGIN.top);
-        let x = scale(self.range(|p| p.0, self.x_range, self.logarithmic.0), places_x, self.logarithmic.0);
-        let y = scale(self.range(|p| p.1, self.y_range, self.logarithmic.1), places_y, self.logarithmic.1);
+        let (x, y, (places_x, places_y)) = self.scales();
+        let mut canvas = Canvas::new(self.width(), SIZE.1);
         self.axes(&mut canvas, x, y, (places_x, places_y));
         let size = (places_x.1 - places_x.0, places_y.0 - places_y.1);
         let (left, top) = (places_x.0, places_y.1);
@@ -151,8 +147,17 @@ impl Chart {
         }
         canvas.raw("</g>");
         canvas.rectangle((left, top), size, "none", "#222");
-        self.legend(&mut canvas, x, y, (places_x, places_y));
+        self.legend(&mut canvas);
         canvas.finish()
+    }
+
+    /// Both axes, and between which places they run: left and right, bottom and top.
+    pub(super) fn scales(&self) -> (Scale, Scale, Frame) {
+        let places_x = (MARGIN.left, SIZE.0 - MARGIN.right);
+        let places_y = (SIZE.1 - MARGIN.bottom, MARGIN.top);
+        let x = scale(self.range(|p| p.0, self.x_range, self.logarithmic.0), places_x, self.logarithmic.0);
+        let y = scale(self.range(|p| p.1, self.y_range, self.logarithmic.1), places_y, self.logarithmic.1);
+        (x, y, (places_x, places_y))
     }
 
     /// The range of the data, with a little room; zero is kept if it is near.
@@ -192,57 +197,18 @@ impl Chart {
         canvas.text((0.5 * (left + right), bottom + 44.0), 14.0, Anchor::Middle, &self.x_label);
         canvas.upward_text((18.0, 0.5 * (bottom + top)), 14.0, &self.y_label);
     }
-
-    fn legend(&self, canvas: &mut Canvas, x: Scale, y: Scale, places: ((f64, f64), (f64, f64))) {
-        let mut named: Vec<&Series> = self.series.iter().filter(|s| !s.name.is_empty()).collect();
-        if named.is_empty() {
-            return;
-        }
-        // A stack grows upwards, and so do its names.
-        if named.iter().all(|s| matches!(s.style, Style::Band(_))) {
-            named.reverse();
-        }
-        let longest = named.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
-        let size = (54.0 + 7.2 * longest as f64, 10.0 + 20.0 * named.len() as f64);
-        let at = self.emptiest_corner(size, x, y, places);
-        canvas.rectangle(at, size, "#ffffffd8", "#c8c8c8");
-        for (n, series) in named.iter().enumerate() {
-            let line = at.1 + 15.0 + 20.0 * n as f64;
-            key(canvas, series, (at.0 + 8.0, line));
-            canvas.text((at.0 + 42.0, line + 4.5), 13.0, Anchor::Start, &series.name);
-        }
-    }
-
-    /// The corner of the frame where a legend of this size hides the fewest points.
-    fn emptiest_corner(
-        &self,
-        size: (f64, f64),
-        x: Scale,
-        y: Scale,
-        ((left, right), (bottom, top)): ((f64, f64), (f64, f64)),
-    ) -> (f64, f64) {
-        let corners = [
-            (left + 10.0, top + 10.0),
-            (right - size.0 - 10.0, top + 10.0),
-            (left + 10.0, bottom - size.1 - 10.0),
-            (right - size.0 - 10.0, bottom - size.1 - 10.0),
-        ];
-        let hidden = |at: &(f64, f64)| {
-            let inside = |p: &&(f64, f64)| {
-                let (px, py) = (x.place(p.0), y.place(p.1));
-                px > at.0 && px < at.0 + size.0 && py > at.1 && py < at.1 + size.1
-            };
-            self.series.iter().flat_map(|s| s.points.iter()).filter(inside).count()
-        };
-        corners.into_iter().min_by_key(hidden).unwrap_or(corners[0])
-    }
 }
+
+/// Where axes run: left and right, bottom and top.
+pub(super) type Frame = ((f64, f64), (f64, f64));
 
 /// Charts in a row, as one picture.
 pub fn beside(charts: &[Chart]) -> String {
-    let mut canvas = Canvas::new(SIZE.0 * charts.len() as f64, SIZE.1);
-    for (n, chart) in charts.iter().enumerate() {
-        canvas.raw(&format!("<g transform=\"translate({} 0)\">", SIZE.0 * n as f64));
+    let mut canvas = Canvas::new(charts.iter().map(Chart::width).sum(), SIZE.1);
+    let mut left = 0.0;
+    for chart in charts {
+        canvas.raw(&format!("<g transform=\"translate({left} 0)\">"));
+        left += chart.width();
         canvas.raw(&chart.svg());
         canvas.raw("</g>");
     }
@@ -269,7 +235,7 @@ fn draw(canvas: &mut Canvas, series: &Series, x: Scale, y: Scale) {
     }
 }
 
-fn mark(canvas: &mut Canvas, marker: Marker, (x, y): (f64, f64), colour: &str) {
+pub(super) fn mark(canvas: &mut Canvas, marker: Marker, (x, y): (f64, f64), colour: &str) {
     let r = 4.5;
     let shape = match marker {
         Marker::Circle => format!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{r}\""),
@@ -280,13 +246,4 @@ fn mark(canvas: &mut Canvas, marker: Marker, (x, y): (f64, f64), colour: &str) {
         Marker::Triangle => format!("<path d=\"M{x:.2} {:.2}l5 8.5h-10Z\"", y - 5.0),
     };
     canvas.raw(&format!("{shape} fill=\"white\" stroke=\"{colour}\" stroke-width=\"1.8\"/>"));
-}
-
-fn key(canvas: &mut Canvas, series: &Series, (x, y): (f64, f64)) {
-    let colour = series.colour.unwrap_or(SERIES[0]);
-    match &series.style {
-        Style::Line(dash) => canvas.line((x, y), (x + 26.0, y), Stroke { colour, width: 2.0, dash }),
-        Style::Points(marker) => mark(canvas, *marker, (x + 13.0, y), colour),
-        Style::Band(_) => canvas.rectangle((x + 3.0, y - 6.0), (20.0, 12.0), colour, ""),
-    }
 }

@@ -1,7 +1,10 @@
 //! Colours that keep their order for every eye and in print.
 
-/// Colours of series (Okabe and Ito), in order of use.
-pub const SERIES: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#555555"];
+/// Colours of series, in order of use: those of Okabe and Ito, then some for stacks of many parts.
+pub const SERIES: [&str; 14] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#555555", "#f0e442", "#7b3294",
+    "#8c510a", "#01665e", "#bdbdbd", "#9e0142", "#b8e186",
+];
 
 /// Anchors of the map viridis, evenly spaced.
 const VIRIDIS: [u32; 16] = [

@@ -4,6 +4,7 @@ mod canvas;
 mod chart;
 mod colour;
 mod convergence;
+mod legend;
 mod scale;
 
 pub use canvas::{Anchor, Canvas, Stroke};
