@@ -53,20 +53,14 @@ impl<'a> Watch<'a> {
 /// Compares and draws a finished run.
 fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Failure> {
     let report_head = head::of_report("Dam break", "water", case, &finished, "");
-    let Finished { mut folder, manifest, .. } = finished;
-    let text = std::fs::read_to_string(folder.file("history.csv")?)?;
-    let table = Table::parse(&text).map_err(|error| bad_table("history.csv", &error))?;
-    let results = Results::read(&table).map_err(|error| bad_table("a table", &error))?;
+    let mut run = super::results::Results::of(finished)?;
+    let results = Results::read(&run.history).map_err(|error| bad_table("a table", &error))?;
     let spacing = case.particles.spacing;
-    folder.write("pictures/front.svg", &pictures::front(&results, spacing))?;
-    folder.write("pictures/energy.svg", &results.ledger.svg("Dam break: where the energy is"))?;
-    folder.write("pictures/time_step.svg", &pictures::time_step(&results))?;
-    folder.write("pictures/particles.svg", &pictures::particles(&watch.views, spacing))?;
+    run.picture("front", &pictures::front(&results, spacing))?;
+    run.picture("time_step", &pictures::time_step(&results))?;
+    run.picture("particles", &pictures::particles(&watch.views, spacing))?;
     let report = report_head + &report::bars(case, &results, watch);
-    folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("pictures in {}", folder.path().join("pictures").display());
-    manifest.write(&mut folder)
+    run.conclude("Dam break", &report)
 }
 
 /// The case as a file: the paper's sizes, Table 1. The tank's walls are five times as high as the column,

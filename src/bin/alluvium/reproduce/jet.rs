@@ -3,15 +3,13 @@
 mod report;
 pub(super) mod series;
 
-use super::bad_table;
-use super::ledger::Ledger;
+use super::results::Results;
 use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Panel, ParticlePicture};
 use crate::run::{Finished, run_case};
 use crate::solver::{Parcels, Solver};
 use alluvium::case::{Case, Warnings};
-use alluvium::output::Table;
 use alluvium::verify::jet::{FALL, Hole, NOZZLE, SPEED, TANK};
 use alluvium::verify::sand_column::{Pile, Section};
 
@@ -144,20 +142,13 @@ impl Watch {
 /// Measures and draws a finished run.
 fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure> {
     let head = report::head(case, &finished, &watch.jet);
-    let Finished { mut folder, manifest, .. } = finished;
-    let text = std::fs::read_to_string(folder.file("history.csv")?)?;
-    let table = Table::parse(&text).map_err(|error| bad_table("history.csv", &error))?;
-    let ledger = Ledger::read(&table).map_err(|error| bad_table("history.csv", &error))?;
-    folder.write("pictures/flow.svg", &flow(watch))?;
-    folder.write("pictures/soil_fraction.svg", &soil_fraction(watch))?;
-    folder.write("pictures/plastic_strain.svg", &plastic_strain(watch))?;
-    folder.write("pictures/hole.svg", &report::floors(watch))?;
-    folder.write("pictures/energy.svg", &ledger.svg("Jet: where the energy is"))?;
-    let report = head + &report::bars(watch, &table, &ledger);
-    folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("pictures in {}", folder.path().join("pictures").display());
-    manifest.write(&mut folder)
+    let mut results = Results::of(finished)?;
+    results.picture("flow", &flow(watch))?;
+    results.picture("soil_fraction", &soil_fraction(watch))?;
+    results.picture("plastic_strain", &plastic_strain(watch))?;
+    results.picture("hole", &report::floors(watch))?;
+    let report = head + &report::bars(watch, &results.history, &results.ledger);
+    results.conclude("Jet", &report)
 }
 
 fn picture<'a>(watch: &Watch, quantity: &'a str, range: (f64, f64)) -> ParticlePicture<'a> {

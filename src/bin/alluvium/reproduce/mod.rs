@@ -6,6 +6,8 @@ mod dam_break;
 mod head;
 mod jet;
 mod ledger;
+mod mixture;
+mod results;
 mod sand_column;
 mod u_tube;
 
@@ -64,6 +66,37 @@ const ALL: &[Reproduction] = &[
         name: "jet-fraction",
         about: "the same for loose and dense soil: shape of the hole (paper, Fig. 18)",
         run: jet::series::fraction,
+    },
+    Reproduction {
+        name: "saturated-rest",
+        about: "the jet's bed without a jet, flush and under water, for half a second: it must not move",
+        run: mixture::saturated_rest::reproduce,
+    },
+    Reproduction {
+        name: "darcy-column",
+        about: "water driven through soil and round again for five pore volumes: flow, pressure and crowding \
+                against Darcy's law",
+        run: mixture::darcy_column::reproduce,
+    },
+    Reproduction {
+        name: "consolidation",
+        about: "mud settles as its water drains: pressure and settlement against Terzaghi's series",
+        run: mixture::consolidation::reproduce,
+    },
+    Reproduction {
+        name: "settling",
+        about: "loose soil sinks through water: slip and gradient against their exact values",
+        run: mixture::settling::reproduce,
+    },
+    Reproduction {
+        name: "submerged-collapse",
+        about: "a column of sand collapses under water: flow, surface, plastic strain",
+        run: mixture::submerged_collapse::reproduce,
+    },
+    Reproduction {
+        name: "bank-erosion",
+        about: "water flows over a saturated bank and down its face: flow, surface, what is taken along",
+        run: mixture::bank_erosion::reproduce,
     },
 ];
 

@@ -6,7 +6,7 @@ pub(super) mod run_out;
 #[cfg(test)]
 mod tests;
 
-use super::ledger::Ledger;
+use super::results::Results;
 use super::{bad_table, head};
 use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
 use crate::outcome::Failure;
@@ -14,7 +14,7 @@ use crate::published::{BUI_FAILURE_LINE, BUI_SURFACE, curve};
 use crate::run::{Finished, run_case};
 use crate::solver::Solver;
 use alluvium::case::{Case, Warnings};
-use alluvium::output::{Table, TableError, TableWriter};
+use alluvium::output::{TableError, TableWriter};
 use alluvium::verify::Curve;
 use alluvium::verify::sand_column::{FRICTION_ANGLE, FailureLine, HEIGHT, MOVED, Pile, Section, WIDTH};
 
@@ -181,25 +181,18 @@ fn present(
 ) -> Result<(), Failure> {
     let experiment = " Experiment: Bui et al. 2008, aluminium bars, digitised by others.";
     let report_head = head::of_report("Sand column", "sand", case, &finished, experiment);
-    let Finished { mut folder, manifest, .. } = finished;
-    let text = std::fs::read_to_string(folder.file("history.csv")?)?;
-    let table = Table::parse(&text).map_err(|error| bad_table("history.csv", &error))?;
-    let ledger = Ledger::read(&table).map_err(|error| bad_table("history.csv", &error))?;
-    write_curve(&mut folder, "surface.csv", run.surface.points())?;
-    write_curve(&mut folder, "failure_line.csv", run.failure.points())?;
-    folder.write("pictures/surface.svg", &pictures::surface(run, beside, published, case))?;
-    folder.write("pictures/energy.svg", &ledger.svg("Sand column: where the energy is"))?;
-    folder.write("pictures/plastic_strain.svg", &pictures::plastic_strain(run))?;
+    let mut results = Results::of(finished)?;
+    write_curve(&mut results.folder, "surface.csv", run.surface.points())?;
+    write_curve(&mut results.folder, "failure_line.csv", run.failure.points())?;
+    results.picture("surface", &pictures::surface(run, beside, published, case))?;
+    results.picture("plastic_strain", &pictures::plastic_strain(run))?;
     if let Some(beside) = beside {
-        let picture = pictures::plastic_strain(&beside.run);
-        folder.write("pictures/plastic_strain_associated.svg", &picture)?;
+        results.picture("plastic_strain_associated", &pictures::plastic_strain(&beside.run))?;
     }
-    let report =
-        report_head + &report::bars(run, &ledger, published) + &report::beside(run, beside, published);
-    folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("pictures in {}", folder.path().join("pictures").display());
-    manifest.write(&mut folder)
+    let report = report_head
+        + &report::bars(run, &results.ledger, published)
+        + &report::beside(run, beside, published);
+    results.conclude("Sand column", &report)
 }
 
 fn write_curve(

@@ -2,15 +2,14 @@
 
 mod report;
 
-use super::bad_table;
-use super::ledger::Ledger;
+use super::results::Results;
 use crate::arguments::{PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Panel, ParticlePicture};
 use crate::run::{Finished, run_case};
 use crate::solver::Solver;
 use alluvium::case::Case;
-use alluvium::output::{Table, TableWriter};
+use alluvium::output::TableWriter;
 use alluvium::verify::u_tube::{ARMS, CHANNEL, LEVELS, Levels, POROSITY, SPACING, WIDTH, exact_difference};
 use core::fmt::Write;
 
@@ -108,10 +107,7 @@ impl Watch {
 /// Compares and draws a finished run.
 fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure> {
     let head = report::head(case, &finished);
-    let Finished { mut folder, manifest, .. } = finished;
-    let text = std::fs::read_to_string(folder.file("history.csv")?)?;
-    let table = Table::parse(&text).map_err(|error| bad_table("history.csv", &error))?;
-    let ledger = Ledger::read(&table).map_err(|error| bad_table("history.csv", &error))?;
+    let mut results = Results::of(finished)?;
     let columns = [
         "time [s]",
         "difference_exact [m]",
@@ -120,7 +116,7 @@ fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure
         "difference_by_head [m]",
         "darcy_velocity [m/s]",
     ];
-    let mut rows = TableWriter::create(folder.file("levels.csv")?, &columns)?;
+    let mut rows = TableWriter::create(results.folder.file("levels.csv")?, &columns)?;
     for levels in &watch.levels {
         let Levels { time, surface, head, flow, .. } = *levels;
         let by_mass = levels.by_mass(&watch.levels[0]);
@@ -128,15 +124,11 @@ fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure
             &[time, exact_difference(time, CONDUCTIVITY), by_mass, surface, head, flow].map(Into::into),
         )?;
     }
-    folder.write("pictures/levels.svg", &report::levels(&watch.levels))?;
-    folder.write("pictures/darcy_velocity.svg", &report::flow(&watch.levels))?;
-    folder.write("pictures/energy.svg", &ledger.svg("U-tube: where the energy is"))?;
-    folder.write("pictures/pressure.svg", &pressure(&watch.pictures))?;
-    let report = head + &report::bars(&watch.levels, &ledger);
-    folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("pictures in {}", folder.path().join("pictures").display());
-    manifest.write(&mut folder)
+    results.picture("levels", &report::levels(&watch.levels))?;
+    results.picture("darcy_velocity", &report::flow(&watch.levels))?;
+    results.picture("pressure", &pressure(&watch.pictures))?;
+    let report = head + &report::bars(&watch.levels, &results.ledger);
+    results.conclude("U-tube", &report)
 }
 
 fn pressure(panels: &[Panel]) -> String {

@@ -1,0 +1,157 @@
+//! Small cases of soil and water: what they share.
+
+pub mod bank_erosion;
+pub mod consolidation;
+pub mod darcy_column;
+pub mod saturated_rest;
+pub mod settling;
+pub mod submerged_collapse;
+
+use super::bars::Bars;
+use super::ledger::Ledger;
+use crate::arguments::{OutputOptions, ReproduceOptions};
+use crate::outcome::Failure;
+use crate::plots::{Chart, Panel, ParticlePicture, Series};
+use crate::run::{Finished, run_case};
+use crate::solver::Parcels;
+use alluvium::case::Case;
+use alluvium::verify::Parcel;
+use alluvium::verify::sand_column::{Pile, Section};
+use core::fmt::Write;
+
+/// Density of water \[kg/m³\] and g \[m/s²\].
+const WATER: f64 = 1000.0;
+const GRAVITY: f64 = 9.81;
+
+/// One instant.
+struct Look {
+    time: f64,
+    parcels: Parcels,
+    pile: Pile,
+}
+
+/// A run and what was seen at every dump.
+struct Watched {
+    case: Case,
+    finished: Finished,
+    looks: Vec<Look>,
+}
+
+/// Runs a case told as a file.
+fn run(name: &str, text: &str, output: &OutputOptions) -> Result<Watched, Failure> {
+    let (case, warnings) = Case::parse(name, text)?;
+    let mut looks = Vec::new();
+    let finished = run_case(case.clone(), &warnings, output, &mut |time, solver| {
+        looks.push(Look { time, parcels: solver.parcels(), pile: solver.pile(Section::FLAT) });
+    })?;
+    Ok(Watched { case, finished, looks })
+}
+
+/// `count` instants a step apart after the start, up to `end` \[s\], as a list in a case file.
+fn dumps(end: f64, count: usize) -> String {
+    let times: Vec<String> = (0..=count).map(|n| format!("{:?}", end * n as f64 / count as f64)).collect();
+    times.join(", ")
+}
+
+/// Refuses another spacing than the case's own.
+fn one_spacing_only(options: &ReproduceOptions) -> Result<(), Failure> {
+    match options.spacing {
+        None => Ok(()),
+        Some(_) => {
+            Err(Failure::Usage(format!("`{}` is told in its own spacing: it has no other", options.name)))
+        }
+    }
+}
+
+/// A block of water in a case file: row or column of one spacing whose centre is at the height, or place,
+/// `centre` \[m\] measured against gravity of strength `gravity` \[m/s²\], under a pressure \[Pa\].
+fn water_block(
+    text: &mut String,
+    [low, high]: [[f64; 2]; 2],
+    [centre, gravity]: [f64; 2],
+    pressure: f64,
+    velocity: [f64; 2],
+) {
+    let surface = centre + pressure / (WATER * gravity);
+    writeln!(
+        text,
+        "[[water.block]]\nlow_m = {low:?}\nhigh_m = {high:?}\nsurface_m = {surface:?}\nvelocity_m_per_s = \
+         {velocity:?}"
+    )
+    .expect("a string");
+}
+
+/// The largest energy nobody explains.
+fn closure_bar(bars: &mut Bars, ledger: &Ledger) {
+    let largest = ledger.closure.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let what = "energy closure, the largest, over the potential energy at the start";
+    bars.add(what, format!("{largest:.1e}"), "none", None);
+}
+
+/// The least and the largest of these.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::MAX, f64::MIN), |(least, most), x| (least.min(x), most.max(x)))
+}
+
+/// Root of the mean of the squared speeds \[m/s\].
+fn rms_speed(parcels: &[Parcel]) -> f64 {
+    (parcels.iter().map(|it| it.speed().powi(2)).sum::<f64>() / parcels.len().max(1) as f64).sqrt()
+}
+
+/// Mean of what is measured on particles; NaN of none.
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
+    sum / count
+}
+
+/// Pictures of a window at some instants.
+struct Scene<'a> {
+    looks: Vec<&'a Look>,
+    window: ([f64; 2], [f64; 2]),
+    spacing: f64,
+}
+
+impl Scene<'_> {
+    fn picture<'q>(&self, quantity: &'q str, range: (f64, f64)) -> ParticlePicture<'q> {
+        ParticlePicture {
+            quantity,
+            range,
+            window: self.window,
+            spacing: self.spacing,
+            axes: ["x [m]", "y [m]"],
+            columns: 2,
+        }
+    }
+
+    fn panels(&self, layer: impl Fn(&Look) -> Vec<([f64; 2], f64)>) -> Vec<Panel> {
+        let panel = |look: &&Look| Panel {
+            caption: format!("t = {:.2} s", look.time),
+            layers: vec![layer(look)],
+            walls: Vec::new(),
+            lines: Vec::new(),
+        };
+        self.looks.iter().map(panel).collect()
+    }
+
+    /// What is told of the water.
+    fn water(&self, quantity: &str, range: (f64, f64), of: impl Fn(&Parcel) -> f64) -> String {
+        let layer = |look: &Look| look.parcels.water.iter().map(|it| (it.place, of(it))).collect();
+        self.picture(quantity, range).svg(&self.panels(layer))
+    }
+
+    /// Equivalent plastic strain of the soil.
+    fn plastic_strain(&self) -> String {
+        let layer = |look: &Look| look.pile.grains().iter().map(|it| (it.place, it.plastic_strain)).collect();
+        self.picture("equivalent plastic strain [-]", (0.01, 2.0)).svg_logarithmic(&self.panels(layer))
+    }
+
+    /// The surface of the soil, one line for each instant.
+    fn surfaces(&self, title: &str) -> String {
+        let chart = Chart::new(title, "x [m]", "y [m]").y_range(0.0, 1.1 * self.window.1[1]);
+        let with = |chart: Chart, look: &&Look| {
+            let profile = look.pile.profile().points().to_vec();
+            chart.with(Series::line(&format!("{:.2} s", look.time), profile))
+        };
+        self.looks.iter().fold(chart, with).svg()
+    }
+}
