@@ -11,18 +11,21 @@ use crate::solver::quantity;
 use core::fmt::Write;
 
 const SPACING: f64 = 0.005;
-/// Height and length of the crest, horizontal length of the face, where the floor ends \[m\].
+/// Length of the sill before the bank; height and end of the crest, horizontal length of the face, where the
+/// floor ends \[m\].
+const SILL: f64 = 0.1;
 const HEIGHT: f64 = 0.08;
 const CREST: f64 = 0.3;
 const FACE: f64 = 0.16;
 const FLOOR: f64 = 0.8;
 /// Depth \[m\] and speed \[m/s\] of the water on the crest.
 const DEPTH: f64 = 0.03;
-const SPEED: f64 = 0.8;
+const SPEED: f64 = 1.2;
 /// Length of the box it comes from \[m\].
 const SOURCE: f64 = 0.05;
 const FRICTION_ANGLE: f64 = 35.0;
 const FRACTION: f64 = 0.6;
+const CONDUCTIVITY: f64 = 5e-3;
 /// When it is over \[s\], and dumps.
 const END: f64 = 1.0;
 const DUMPS: usize = 20;
@@ -33,7 +36,8 @@ const DRAWN: [usize; 4] = [2, 6, 12, 20];
 pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let spacing = options.spacing.unwrap_or(if options.quick { 2.0 * SPACING } else { SPACING });
     let watched = run(&options.name, &text(options, spacing), &options.output)?;
-    let more = format!(" {SPEED} m/s, {DEPTH} m deep, over sand of {FRICTION_ANGLE}°, k = 1e-3 m/s.");
+    let more =
+        format!(" {SPEED} m/s, {DEPTH} m deep, over sand of {FRICTION_ANGLE}°, k = {CONDUCTIVITY} m/s.");
     let title = "Erosion of a bank by water that flows over it";
     let head = head::of_report(title, "soil and water", &watched.case, &watched.finished, &more);
     let mut bars = Bars::default();
@@ -74,8 +78,9 @@ fn text(options: &ReproduceOptions, spacing: f64) -> String {
     write!(
         text,
         "[particles]\nspacing_m = {spacing:?}\nsmoothing_ratio = 2.0\n\
-         [mixture]\nhydraulic_conductivity_m_per_s = 1e-3\n\
+         [mixture]\nhydraulic_conductivity_m_per_s = {CONDUCTIVITY:?}\n\
          [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{FLOOR:?}, 0.2]\nopen = [\"+x\", \"+y\"]\n\
+         [[tank.obstacle]]\nlow_m = [0.0, 0.0]\nhigh_m = [{SILL:?}, {HEIGHT:?}]\n\
          [[outlet]]\nlow_m = [-1e6, -1e6]\nhigh_m = [1e6, -0.1]\n\
          [output]\ndump_times_s = [{dumps}]\nhistory_interval_s = 1.0e-3\n\
          fields = [\"velocity\", \"pressure\", \"volume_fraction\", \"equivalent_plastic_strain\"]\n\
@@ -84,11 +89,11 @@ fn text(options: &ReproduceOptions, spacing: f64) -> String {
          velocity_m_per_s = [{SPEED:?}, 0.0]\n\
          [[water.block]]\nlow_m = [{SOURCE:?}, {HEIGHT:?}]\nhigh_m = [{CREST:?}, {level:?}]\n\
          velocity_m_per_s = [{SPEED:?}, 0.0]\n\
-         [[water.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [{CREST:?}, {HEIGHT:?}]\nsurface_m = {level:?}\n\
+         [[water.block]]\nlow_m = [{SILL:?}, 0.0]\nhigh_m = [{CREST:?}, {HEIGHT:?}]\nsurface_m = {level:?}\n\
          [soil]\nreference_density_kg_per_m3 = 2650.0\nvolume_fraction = {FRACTION:?}\n\
          bulk_modulus_pa = 1e6\npoissons_ratio = 0.3\nfriction_angle_deg = {FRICTION_ANGLE:?}\n\
          dilatancy_angle_deg = {dilatancy:?}\n\
-         [[soil.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [{CREST:?}, {HEIGHT:?}]\n"
+         [[soil.block]]\nlow_m = [{SILL:?}, 0.0]\nhigh_m = [{CREST:?}, {HEIGHT:?}]\n"
     )
     .expect("a string");
     // The face, column by column, wet to its surface.

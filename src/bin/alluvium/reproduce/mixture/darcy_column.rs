@@ -13,7 +13,7 @@ use core::fmt::Write;
 const SPACING: f64 = 0.05;
 /// Columns of soil, as many of water, and rows.
 const COLUMNS: usize = 24;
-const ROWS: usize = 8;
+const ROWS: usize = 9;
 /// Volume fraction of the soil \[-\], its conductivity \[m/s\], the gradient of the head in it \[-\].
 const FRACTION: f64 = 0.55;
 const CONDUCTIVITY: f64 = 0.01;

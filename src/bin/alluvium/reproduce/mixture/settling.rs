@@ -1,6 +1,6 @@
 //! A slab of loose soil sinks through water.
 
-use super::{GRAVITY, Look, Scene, WATER, closure_bar, dumps, mean, one_spacing_only, run, water_block};
+use super::{GRAVITY, Look, WATER, closure_bar, dumps, mean, one_spacing_only, run, water_block};
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
@@ -37,10 +37,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     );
     let mut bars = Bars::default();
     measure(&mut bars, &watched.looks);
-    let ends: Vec<&Look> = watched.looks.first().into_iter().chain(watched.looks.last()).collect();
-    let scene = Scene { looks: ends, window: ([0.0, 0.0], [WIDTH, HEIGHT]), spacing: SPACING };
-    let pressure = scene.water("pressure [kPa]", (0.0, 8.0), |it| it.pressure * 1e-3);
-    let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.6), |it| 1.0 - it.fraction);
+    let (pressure, fraction) = (pressures(&watched.looks), fractions(&watched.looks));
     let mut results = Results::of(watched.finished)?;
     results.picture("slip", &slips(&watched.looks))?;
     results.picture("pressure", &pressure)?;
@@ -141,4 +138,33 @@ fn slips(looks: &[Look]) -> String {
         .with(Series::line("slip", over(|(slip, _)| slip / exact_slip())).coloured("#0072b2"))
         .with(Series::line("gradient", over(|(_, gradient)| gradient / buoyant())).coloured("#d55e00"))
         .svg()
+}
+
+/// Pressure beyond hydrostatic at the start, which is the exact one of soil in that place, and at the end.
+fn pressures(looks: &[Look]) -> String {
+    let beyond = |it: &Parcel| 1e-3 * (it.pressure - WATER * GRAVITY * (HEIGHT - it.place[1]));
+    let [start, end] = along_height(looks, beyond);
+    Chart::new("Settling: pressure beyond hydrostatic", "pressure [kPa]", "y [m]")
+        .with(Series::line("at the start", start).coloured("#999999"))
+        .with(Series::points("at the end", end).coloured("#0072b2"))
+        .svg()
+}
+
+fn fractions(looks: &[Look]) -> String {
+    let [start, end] = along_height(looks, |it| 1.0 - it.fraction);
+    Chart::new("Settling: where the soil is", "volume fraction of soil [-]", "y [m]")
+        .with(Series::line("at the start", start).coloured("#999999"))
+        .with(Series::points("at the end", end).coloured("#d55e00"))
+        .svg()
+}
+
+/// What is told of the water in one column, upwards, at the start and at the end.
+fn along_height(looks: &[Look], of: impl Fn(&Parcel) -> f64) -> [Vec<(f64, f64)>; 2] {
+    [looks.first(), looks.last()].map(|look| {
+        let near = |it: &&Parcel| (it.place[0] - 0.5 * (WIDTH + SPACING)).abs() < 0.5 * SPACING;
+        let water = look.into_iter().flat_map(|look| &look.parcels.water);
+        let mut points: Vec<_> = water.filter(near).map(|it| (of(it), it.place[1])).collect();
+        points.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
+        points
+    })
 }
