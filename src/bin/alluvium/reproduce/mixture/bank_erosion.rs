@@ -8,6 +8,7 @@ use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
 use crate::reproduce::results::Results;
 use crate::solver::quantity;
+use alluvium::verify::Parcel;
 use core::fmt::Write;
 
 const SPACING: f64 = 0.005;
@@ -44,7 +45,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     measure(&mut bars, &watched.looks);
     let drawn: Vec<&Look> = DRAWN.iter().filter_map(|&n| watched.looks.get(n)).collect();
     let scene = Scene { looks: drawn, window: ([0.0, 0.0], [FLOOR, 0.16]), spacing };
-    let flow = scene.water("speed of the water [m/s]", (0.0, 1.6), alluvium::verify::Parcel::speed);
+    let flow = scene.water("speed of the water [m/s]", (0.0, 1.6), Parcel::speed);
     let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.65), |it| 1.0 - it.fraction);
     let (strain, surface) = (scene.plastic_strain(), scene.surfaces("Bank: the surface of the soil"));
     let mut results = Results::of(watched.finished)?;
@@ -116,7 +117,7 @@ fn text(options: &ReproduceOptions, spacing: f64) -> String {
 /// Soil that is outside the bank of the start \[m²\], its pores left out, with what has left the floor.
 fn eroded(look: &Look, start: &Look) -> f64 {
     let spacing = start.pile.spacing();
-    let inside = |it: &&alluvium::verify::Parcel| it.place[1] < bank(it.place[0], spacing) + spacing;
+    let inside = |it: &&Parcel| it.place[1] < bank(it.place[0], spacing) + spacing;
     let all: f64 = start.parcels.soil.iter().map(|it| it.matter).sum();
     all - look.parcels.soil.iter().filter(inside).map(|it| it.matter).sum::<f64>()
 }

@@ -9,6 +9,7 @@ use crate::reproduce::head;
 use crate::reproduce::results::Results;
 use alluvium::material::Elasticity;
 use alluvium::output::TableWriter;
+use alluvium::verify::Parcel;
 use alluvium::verify::consolidation::{Layer, remaining_of_weight, settled_of_weight};
 use core::fmt::Write;
 
@@ -119,7 +120,7 @@ fn text(options: &ReproduceOptions, end: f64) -> String {
 /// T, and the pressure beyond hydrostatic over its largest at the start, of the water in the soil, over
 /// height.
 fn excess(look: &Look) -> (f64, Vec<(f64, f64)>) {
-    let over = |it: &alluvium::verify::Parcel| {
+    let over = |it: &Parcel| {
         let hydrostatic = WATER * GRAVITY * (HEIGHT + ABOVE - it.place[1]);
         (it.place[1], (it.pressure - hydrostatic) / (weight() * HEIGHT))
     };

@@ -8,6 +8,7 @@ use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
 use crate::reproduce::results::Results;
 use alluvium::kernel::{Kernel, WendlandC2};
+use alluvium::verify::Parcel;
 use core::fmt::Write;
 
 const SPACING: f64 = 0.05;
@@ -128,7 +129,7 @@ fn excess_of_space(look: &Look, h: f64) -> Vec<(f64, f64)> {
     let size = [2.0 * COLUMNS as f64 * SPACING, ROWS as f64 * SPACING];
     let water = &look.parcels.water;
     let space = |place: [f64; 2]| -> f64 {
-        let part = |it: &alluvium::verify::Parcel| {
+        let part = |it: &Parcel| {
             let apart: f64 = (0..2)
                 .map(|k| {
                     let d = it.place[k] - place[k];
@@ -143,7 +144,7 @@ fn excess_of_space(look: &Look, h: f64) -> Vec<(f64, f64)> {
     let of_column = |n: usize| {
         let (begin, end) = (n as f64 * SPACING, (n + 1) as f64 * SPACING);
         let inside = water.iter().filter(|it| (begin..end).contains(&it.place[0]));
-        let excess = |it: &alluvium::verify::Parcel| space(it.place) - lattice_sum(&kernel, it.volume.sqrt());
+        let excess = |it: &Parcel| space(it.place) - lattice_sum(&kernel, it.volume.sqrt());
         (0.5 * (begin + end), mean(inside.map(excess)))
     };
     columns.map(of_column).collect()
@@ -174,7 +175,7 @@ fn pressures(looks: &[Look], volumes: usize) -> String {
     let chart = Chart::new("Darcy column: pressure along it", "x [m]", "pressure [kPa]")
         .with(Series::line("exact", exact).coloured("#999999"));
     let with = |chart: Chart, volume: usize| {
-        let points = |it: &alluvium::verify::Parcel| (it.place[0], 1e-3 * it.pressure);
+        let points = |it: &Parcel| (it.place[0], 1e-3 * it.pressure);
         let water = looks[volume * DUMPS].parcels.water.iter();
         chart.with(Series::points(&format!("after {volume} pore volumes"), water.map(points).collect()))
     };

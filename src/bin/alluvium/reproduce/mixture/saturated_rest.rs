@@ -7,6 +7,8 @@ use crate::plots::{Chart, Series};
 use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
 use crate::reproduce::results::Results;
+use crate::solver::Parcels;
+use alluvium::verify::Parcel;
 use alluvium::verify::jet::TANK;
 
 /// Depth of the water over the bed of the second run \[m\].
@@ -74,7 +76,7 @@ fn measure(bars: &mut Bars, what: &str, watched: &Watched, level: f64) {
     let within = least >= -0.01 && most <= 1.01;
     let found = format!("{least:.4} to {most:.4}");
     bars.add(&format!("{what}: volume fraction of water"), found, "-0.01 to 1.01", Some(within));
-    let off = |it: &alluvium::verify::Parcel| it.pressure - hydrostatic(level, it.place[1]);
+    let off = |it: &Parcel| it.pressure - hydrostatic(level, it.place[1]);
     let (least, most) = range(end.parcels.water.iter().map(off));
     let whole = hydrostatic(level, 0.0);
     let found = format!("{least:.0} to {most:.0} Pa of {whole:.0}");
@@ -82,26 +84,23 @@ fn measure(bars: &mut Bars, what: &str, watched: &Watched, level: f64) {
 }
 
 fn speeds(flush: &[Look], drowned: &[Look]) -> String {
-    let over = |looks: &[Look], of: fn(&Look) -> f64| {
-        looks.iter().skip(1).map(|look| (look.time, of(look))).collect::<Vec<_>>()
+    let over = |looks: &[Look], of: &dyn Fn(&Parcels) -> f64| {
+        looks.iter().skip(1).map(|look| (look.time, of(&look.parcels))).collect::<Vec<_>>()
     };
-    let (soil, water): (fn(&Look) -> f64, fn(&Look) -> f64) =
-        (|look| rms_speed(&look.parcels.soil), |look| rms_speed(&look.parcels.water));
+    let (soil, water) = (|all: &Parcels| rms_speed(&all.soil), |all: &Parcels| rms_speed(&all.water));
     Chart::new("Saturated bed: it rests", "time [s]", "rms speed [m/s]")
         .logarithmic(false, true)
-        .with(Series::line("soil, flush", over(flush, soil)).coloured("#8c510a"))
-        .with(Series::line("water, flush", over(flush, water)).coloured("#0072b2"))
-        .with(Series::dashed("soil, under water", over(drowned, soil)).coloured("#8c510a"))
-        .with(Series::dashed("water, under water", over(drowned, water)).coloured("#0072b2"))
+        .with(Series::line("soil, flush", over(flush, &soil)).coloured("#8c510a"))
+        .with(Series::line("water, flush", over(flush, &water)).coloured("#0072b2"))
+        .with(Series::dashed("soil, under water", over(drowned, &soil)).coloured("#8c510a"))
+        .with(Series::dashed("water, under water", over(drowned, &water)).coloured("#0072b2"))
         .svg()
 }
 
 fn pressures(flush: &Watched, drowned: &Watched) -> String {
     let level = TANK[1] + ABOVE;
     let points = |watched: &Watched| {
-        let near = |it: &&alluvium::verify::Parcel| {
-            (it.place[0] - 0.5 * TANK[0]).abs() < 0.6 * watched.case.particles.spacing
-        };
+        let near = |it: &&Parcel| (it.place[0] - 0.5 * TANK[0]).abs() < 0.6 * watched.case.particles.spacing;
         let end = watched.looks.last().into_iter().flat_map(|look| &look.parcels.water);
         end.filter(near).map(|it| (it.pressure * 1e-3, it.place[1])).collect::<Vec<_>>()
     };

@@ -7,6 +7,7 @@ use crate::plots::{Chart, Series};
 use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
 use crate::reproduce::results::Results;
+use alluvium::verify::Parcel;
 
 const SPACING: f64 = 0.005;
 /// Tank, water and column \[m\].
@@ -32,7 +33,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     measure(&mut bars, &watched.looks);
     let drawn: Vec<&Look> = DRAWN.iter().filter_map(|&n| watched.looks.get(n)).collect();
     let scene = Scene { looks: drawn, window: ([0.0, 0.0], TANK), spacing };
-    let flow = scene.water("speed of the water [m/s]", (0.0, 0.4), alluvium::verify::Parcel::speed);
+    let flow = scene.water("speed of the water [m/s]", (0.0, 0.4), Parcel::speed);
     let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.65), |it| 1.0 - it.fraction);
     let (strain, surface) = (scene.plastic_strain(), scene.surfaces("Collapse under water: the surface"));
     let mut results = Results::of(watched.finished)?;
