@@ -105,6 +105,9 @@ fn measured(title: &str, ledger: &Ledger, conditions: &Conditions) -> Measured {
         }
         measured =
             measured.note(format!("{}: {taken:.4e} J/m, {:.3} %", account.name(), 100.0 * taken / largest));
+        if taken.abs() < 1e-3 * largest {
+            continue;
+        }
         let points = budgets.iter().map(|b| (b.time, b.taken[account] - start.taken[account])).collect();
         chart = chart.with(Series::line(account.name(), points));
     }

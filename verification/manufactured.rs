@@ -39,6 +39,7 @@ pub fn studies() -> Vec<Study> {
         water_in_space::<f64, 3, _>("manufactured/water/space/3d/f64", &SIDES_3D, 1.0, VelocityVerlet::new)
             .level(Level::Full),
         uncorrected(),
+        joint_limit(),
         disordered(),
         water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new),
         water_in_time("manufactured/water/time/leap-frog", LeapFrog::new).mutant(UNPREDICTED),
@@ -103,6 +104,24 @@ fn uncorrected() -> Study {
     .equations(&["52", "58"])
     .source(SOURCE)
     .expect(Expected::Plateau { value: 0.055, tolerance: 0.02 })
+}
+
+/// Both limits at once: more particles, and more of them within the support of each.
+fn joint_limit() -> Study {
+    Study::new(
+        "manufactured/water/joint limit",
+        "without the correction, the error goes on falling where h/Δx grows with the cube root of the resolution",
+        |_| {
+            in_space(&SIDES, |side| {
+                let ratio = 1.3 * (side as f64 / SIDES[0] as f64).cbrt();
+                let run = Run { corrected: false, ..Run::new(side, ratio) };
+                errors_alone(&alone::<f64, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new())).into()
+            })
+        },
+    )
+    .equations(&["50", "52", "58"])
+    .source(SOURCE)
+    .expect(Expected::Order { at_least: 1.0, at_most: 2.0 })
 }
 
 /// From places a tenth of a spacing off the lattice.

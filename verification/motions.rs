@@ -20,7 +20,7 @@ pub const MOTION: WaveOfBoth = WaveOfBoth {
     water_density: 1000.0,
     fraction: 0.5,
     fraction_amplitude: 0.05,
-    amplitude: 0.01,
+    amplitude: 0.02,
     soil_speed: 0.1,
     water_speed: 0.2,
     frequency: 9.0,
