@@ -1,5 +1,7 @@
 //! Manufactured motions in time: what is of second order, and what stays.
 
+#[cfg(feature = "implicit")]
+use crate::motions::together_implicitly;
 use crate::motions::{
     Mistake, Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together, velocities,
 };
@@ -7,6 +9,8 @@ use crate::seepage::Powered;
 use crate::soil::SpinningBack;
 use crate::water::Unpredicted;
 use alluvium::Real;
+#[cfg(feature = "implicit")]
+use alluvium::mixture::DragScheme;
 use alluvium::time::{Integrator, LeapFrog, VelocityVerlet};
 use alluvium::verify::{Expected, Level, Measured, Study, relative_l2};
 
@@ -30,6 +34,19 @@ const SIDES: [usize; 3] = [12, 24, 48];
 const SIDES_3D: [usize; 3] = [8, 16, 24];
 
 pub fn studies() -> Vec<Study> {
+    #[cfg_attr(not(feature = "implicit"), expect(unused_mut, reason = "nothing is added"))]
+    let mut studies = explicit();
+    #[cfg(feature = "implicit")]
+    studies.extend([
+        implicit_in_time("manufactured/both/time/backward Euler", DragScheme::BackwardEuler)
+            .expect(Expected::order(1.0, 0.1)),
+        implicit_in_time("manufactured/both/time/second-order drag", DragScheme::SecondOrder)
+            .expect(Expected::order(2.0, 0.1)),
+    ]);
+    studies
+}
+
+fn explicit() -> Vec<Study> {
     vec![
         water_in_space::<f64, 2, _>("manufactured/water/space/2d/f64", &SIDES, 1.0, VelocityVerlet::new)
             .mutant(UNCORRECTED),
@@ -214,6 +231,24 @@ fn water_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study
     .equations(&["71", "72"])
     .source(IN_TIME)
     .expect(Expected::order(2.0, 0.1))
+}
+
+/// With drag solved over the step; the drag's own time is 7 ms, the longest step 1.3 ms.
+#[cfg(feature = "implicit")]
+fn implicit_in_time(name: &str, scheme: DragScheme) -> Study {
+    Study::new(
+        name,
+        "the error of a step of soil and water whose drag is solved over it is of the order of its scheme",
+        move |_| {
+            in_time(|steps| {
+                let run = Run { steps, ..Run::new(8, 2.0) };
+                let mixture = together_implicitly(run, scheme, VelocityVerlet::new());
+                [velocities(mixture.soil()), velocities(mixture.water())].concat()
+            })
+        },
+    )
+    .equations(&["37"])
+    .source(IN_TIME)
 }
 
 fn both_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study {

@@ -234,6 +234,16 @@ pub fn together<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>
     run.follow(mixed(run, soil, drag), integrator)
 }
 
+/// The same with drag solved over the step.
+#[cfg(feature = "implicit")]
+pub fn together_implicitly(
+    run: Run,
+    scheme: alluvium::mixture::DragScheme,
+    integrator: impl Integrator<f64>,
+) -> Mixed<f64, 2, Soil<f64, Unyielding>> {
+    run.follow(mixed(run, skeleton(), darcy(1.0)).with_drag_scheme(scheme), integrator)
+}
+
 /// The root mean square of the relative errors of both velocities and of the soil's stress; then each of them, and
 /// that of the pore pressure.
 pub fn errors_together<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
