@@ -128,7 +128,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             Some(EvolvingFraction { half: self.volume_fraction.clone(), rate: vec![T::ZERO; self.len()] });
     }
 
-    fn set_one_volume_fraction(&mut self, i: usize, fraction: T) {
+    pub(super) fn set_one_volume_fraction(&mut self, i: usize, fraction: T) {
         let factor = fraction / self.volume_fraction[i];
         self.volume_fraction[i] = fraction;
         self.mass[i] *= factor;

@@ -283,6 +283,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
         let setting = &self.setting;
         self.water.find_state(setting); // (16), (20)
         self.coupling.look(setting, &mut self.soil, &self.water); // (67)–(69)
+        self.water.phase.share_inflows(&self.coupling.pores.fraction);
         self.soil.find_state(setting);
         self.soil.act_on_itself(setting); // (53), (55), own part
         self.water.act_on_itself(setting); // (52), (58), own part

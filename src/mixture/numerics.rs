@@ -50,7 +50,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     }
 
     /// Relaxation of the density of water that shares its space to the volume its particles take, in the
-    /// time τ \[s\]; none by default, 400 h/c is usual. Acts where pressure acts by differences.
+    /// time τ \[s\]; none by default, 200 h/c is usual. Acts where pressure acts by differences.
     ///
     /// # Errors
     /// The time is not positive.

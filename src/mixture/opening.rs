@@ -94,6 +94,20 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         Ok(())
     }
 
+    /// Leaves to the water in each box what soil leaves of the space there (68): it comes in with the fraction
+    /// of its place.
+    pub(super) fn share_inflows(&mut self, fractions: &[T]) {
+        for n in 0..self.inflows.len() {
+            let body = self.inflows[n].body;
+            for i in (0..self.wall_particles).filter(|&i| self.body[i] == body).collect::<Vec<_>>() {
+                self.set_one_volume_fraction(i, fractions[i]);
+                if let Some(fraction) = &mut self.evolving_fraction {
+                    fraction.half[i] = fractions[i];
+                }
+            }
+        }
+    }
+
     /// Whether water comes in.
     pub(super) fn has_inflows(&self) -> bool {
         !self.inflows.is_empty()

@@ -57,7 +57,7 @@ fn the_case_is_the_same_again_with_every_default() {
     assert_eq!(mixing.coupling, CouplingForm::PressureDifference);
     assert_eq!(mixing.drag, Drag::Darcy(Seepage::Conductivity(0.01)));
     let sound = case.water.as_ref().unwrap().sound_speed;
-    assert!((mixing.relaxation_time - 400.0 * case.smoothing_length() / sound).abs() < 1e-12);
+    assert!((mixing.relaxation_time - 200.0 * case.smoothing_length() / sound).abs() < 1e-12);
     // One and a half times the spacing of water in the soil.
     assert!((case.particles.smoothing_ratio - 1.5 / 0.45_f64.sqrt()).abs() < 1e-12);
     let paper = read(&format!("preset = \"paper\"\n{TUBE}")).0;

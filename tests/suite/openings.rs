@@ -1,12 +1,12 @@
 //! Water that comes in and particles that leave: in step, in the books, never lost in silence.
 
 use alluvium::budget::Account;
-use alluvium::kernel::WendlandC2;
-use alluvium::material::{Absent, Water};
-use alluvium::mixture::{Mixture, Phase, StepError};
+use alluvium::kernel::{Kernel, WendlandC2};
+use alluvium::material::{Absent, Elasticity, Soil, Unyielding, Water};
+use alluvium::mixture::{Mixture, Phase, StepError, Wall};
 use alluvium::simulation::Simulation;
-use alluvium::time::{Integrator, LeapFrog, StepSize, VelocityVerlet};
-use alluvium::{Real, Vector};
+use alluvium::time::{Evolve, Integrator, LeapFrog, StepSize, VelocityVerlet};
+use alluvium::{Real, Vector, setup};
 
 type Jet<T, const D: usize, I> = Simulation<T, D, WendlandC2<T, D>, Absent, Water<T>, I>;
 
@@ -138,4 +138,40 @@ fn an_inflow_moves_along_an_axis_and_has_particles() {
     assert!(skew.is_err_and(|why| why.contains("along one axis")));
     let empty = water.add_inflow([0.0; 2], [0.001; 2], SPACING, Vector([1.0, 0.0])).map_err(refused);
     assert!(empty.is_err_and(|why| why.contains("at least one spacing")));
+}
+
+#[test]
+fn water_that_comes_in_beside_soil_has_the_fraction_of_its_place() {
+    let mut soil = Phase::new(Soil::new(2700.0, Elasticity::new(1e6, 0.3).unwrap(), Unyielding).unwrap());
+    let beside = setup::fill::<f64, 2>([0.04, -0.1], [0.09, 0.08], SPACING);
+    soil.add_wall(Wall::dynamic(), &beside, SPACING * SPACING, |_| 0.0).unwrap();
+    soil.set_volume_fraction(|_| 0.5);
+    let mut water = Phase::new(Water::new(1000.0, 30.0).unwrap());
+    water.add_inflow([0.0, 0.0], [0.04, 0.04], SPACING, Vector([0.0, -SPEED])).unwrap();
+    let kernel = WendlandC2::new(1.5 * SPACING).unwrap();
+    let mixture = Mixture::<f64, 2, _, _>::new(kernel, soil, water);
+    let step = StepSize::fixed(SPACING / SPEED / 20.6).unwrap();
+    let mut run = Simulation::new(mixture, LeapFrog::new(), step);
+    // Each place of the box has been taken anew.
+    for _ in 0..110 {
+        run.step().unwrap();
+    }
+    run.mixture_mut().evaluate().unwrap();
+    let (soil, water) = (run.mixture().soil(), run.mixture().water());
+    let mut least = 1.0_f64;
+    for a in 0..water.len() {
+        let grains = |i: usize| {
+            let r2 = (water.positions()[a] - soil.positions()[i]).norm2();
+            let near = r2 < kernel.support() * kernel.support();
+            if near { soil.volume(i) * soil.volume_fraction(i) * kernel.value::<f64>(r2) } else { 0.0 }
+        };
+        let fraction = 1.0 - (0..soil.len()).map(grains).sum::<f64>(); // (68)
+        least = least.min(fraction);
+        assert!(
+            (water.volume_fraction(a) - fraction).abs() < 5e-3,
+            "{} for {fraction}",
+            water.volume_fraction(a)
+        );
+    }
+    assert!(least < 0.95 && water.len() > 30, "{least}");
 }

@@ -9,7 +9,7 @@ use crate::mixture::CouplingForm;
 use crate::preset::Preset;
 
 /// Smoothing lengths that sound travels in the usual time of the density's relaxation.
-const RELAXATION: f64 = 400.0;
+const RELAXATION: f64 = 200.0;
 
 impl Context<'_, '_> {
     /// What is between soil and water, where there are both.

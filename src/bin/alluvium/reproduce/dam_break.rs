@@ -60,7 +60,8 @@ fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Fai
     run.picture("time_step", &pictures::time_step(&results))?;
     run.picture("particles", &pictures::particles(&watch.views, spacing))?;
     let report = report_head + &report::bars(case, &results, watch);
-    run.conclude("Dam break", &report)
+    run.energy("Dam break")?;
+    run.conclude(&report)
 }
 
 /// The case as a file: the paper's sizes, Table 1. The tank's walls are five times as high as the column,

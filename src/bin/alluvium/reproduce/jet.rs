@@ -148,7 +148,8 @@ fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure
     results.picture("plastic_strain", &plastic_strain(watch))?;
     results.picture("hole", &report::floors(watch))?;
     let report = head + &report::bars(watch, &results.history, &results.ledger);
-    results.conclude("Jet", &report)
+    results.energy("Jet")?;
+    results.conclude(&report)
 }
 
 fn picture<'a>(watch: &Watch, quantity: &'a str, range: (f64, f64)) -> ParticlePicture<'a> {

@@ -32,10 +32,14 @@ impl Results {
         self.folder.write(&format!("pictures/{name}.svg"), svg)
     }
 
-    /// Adds the picture of the energy, and writes and prints the report.
-    pub fn conclude(mut self, name: &str, report: &str) -> Result<(), Failure> {
+    /// Adds the picture of the energy.
+    pub fn energy(&mut self, name: &str) -> Result<(), Failure> {
         let energy = self.ledger.svg(&format!("{name}: where the energy is"));
-        self.picture("energy", &energy)?;
+        self.picture("energy", &energy)
+    }
+
+    /// Writes and prints the report.
+    pub fn conclude(mut self, report: &str) -> Result<(), Failure> {
         self.folder.write("report.md", report)?;
         println!("{report}");
         println!("pictures in {}", self.folder.path().join("pictures").display());

@@ -192,7 +192,8 @@ fn present(
     let report = report_head
         + &report::bars(run, &results.ledger, published)
         + &report::beside(run, beside, published);
-    results.conclude("Sand column", &report)
+    results.energy("Sand column")?;
+    results.conclude(&report)
 }
 
 fn write_curve(

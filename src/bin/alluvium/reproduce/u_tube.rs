@@ -128,7 +128,8 @@ fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure
     results.picture("darcy_velocity", &report::flow(&watch.levels))?;
     results.picture("pressure", &pressure(&watch.pictures))?;
     let report = head + &report::bars(&watch.levels, &results.ledger);
-    results.conclude("U-tube", &report)
+    results.energy("U-tube")?;
+    results.conclude(&report)
 }
 
 fn pressure(panels: &[Panel]) -> String {

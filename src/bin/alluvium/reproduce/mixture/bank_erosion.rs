@@ -20,13 +20,13 @@ const CREST: f64 = 0.3;
 const FACE: f64 = 0.16;
 const FLOOR: f64 = 0.8;
 /// Depth \[m\] and speed \[m/s\] of the water on the crest.
-const DEPTH: f64 = 0.03;
+const DEPTH: f64 = 0.06;
 const SPEED: f64 = 1.2;
 /// Length of the box it comes from \[m\].
 const SOURCE: f64 = 0.05;
 const FRICTION_ANGLE: f64 = 35.0;
-const FRACTION: f64 = 0.6;
-const CONDUCTIVITY: f64 = 5e-3;
+const FRACTION: f64 = 0.5;
+const CONDUCTIVITY: f64 = 0.01;
 /// When it is over \[s\], and dumps.
 const END: f64 = 1.0;
 const DUMPS: usize = 20;
@@ -44,7 +44,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let mut bars = Bars::default();
     measure(&mut bars, &watched.looks);
     let drawn: Vec<&Look> = DRAWN.iter().filter_map(|&n| watched.looks.get(n)).collect();
-    let scene = Scene { looks: drawn, window: ([0.0, 0.0], [FLOOR, 0.16]), spacing };
+    let scene = Scene { looks: drawn, window: ([0.0, 0.0], [FLOOR, 0.2]), spacing };
     let flow = scene.water("speed of the water [m/s]", (0.0, 1.6), Parcel::speed);
     let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.65), |it| 1.0 - it.fraction);
     let (strain, surface) = (scene.plastic_strain(), scene.surfaces("Bank: the surface of the soil"));
@@ -59,7 +59,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.picture("surface", &surface)?;
     results.picture("eroded", &lost(&watched.looks))?;
     closure_bar(&mut bars, &results.ledger);
-    results.conclude("Bank", &(head + &bars.markdown()))
+    results.energy("Bank")?;
+    results.conclude(&(head + &bars.markdown()))
 }
 
 /// Height of the bank at x \[m\], in whole spacings.
@@ -78,7 +79,7 @@ fn text(options: &ReproduceOptions, spacing: f64) -> String {
     let mut text = head::of_case(&options.name, options, &dumps);
     write!(
         text,
-        "[particles]\nspacing_m = {spacing:?}\nsmoothing_ratio = 2.0\n\
+        "[particles]\nspacing_m = {spacing:?}\nsmoothing_ratio = 1.5\n\
          [mixture]\nhydraulic_conductivity_m_per_s = {CONDUCTIVITY:?}\n\
          [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{FLOOR:?}, 0.2]\nopen = [\"+x\", \"+y\"]\n\
          [[tank.obstacle]]\nlow_m = [0.0, 0.0]\nhigh_m = [{SILL:?}, {HEIGHT:?}]\n\

@@ -59,7 +59,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.picture("pressure", &profiles(&watched.looks))?;
     results.picture("settlement", &settlement(&watched.looks))?;
     closure_bar(&mut bars, &results.ledger);
-    results.conclude("Consolidation", &(head + &bars.markdown()))
+    results.energy("Consolidation")?;
+    results.conclude(&(head + &bars.markdown()))
 }
 
 fn stiffness() -> f64 {

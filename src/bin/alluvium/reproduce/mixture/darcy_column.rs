@@ -1,6 +1,6 @@
 //! Water that is driven through soil and round again: Darcy's flow over pore volumes.
 
-use super::{GRAVITY, Look, WATER, closure_bar, dumps, mean, one_spacing_only, run, water_block};
+use super::{GRAVITY, Look, WATER, dumps, mean, one_spacing_only, run, water_block};
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
@@ -29,7 +29,11 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     one_spacing_only(options)?;
     let volumes = if options.quick { 1 } else { 5 };
     let watched = run(&options.name, &text(options, volumes), &options.output)?;
-    let more = format!(" k = {CONDUCTIVITY} m/s, i = {SLOPE}; one pore volume is {:.1} s.", pore_volume());
+    let more = format!(
+        " k = {CONDUCTIVITY} m/s, i = {SLOPE}; one pore volume is {:.1} s. Water \
+         that comes round again has lost the potential energy of the push: the energy is not drawn.",
+        pore_volume()
+    );
     let head = head::of_report("Darcy's column", "water", &watched.case, &watched.finished, &more);
     let h = watched.case.smoothing_length();
     let mut bars = Bars::default();
@@ -40,8 +44,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.picture("flow", &flow(&watched.looks))?;
     results.picture("pressure", &pressures(&watched.looks, volumes))?;
     results.picture("space", &spaces(&watched.looks, volumes, h))?;
-    closure_bar(&mut bars, &results.ledger);
-    results.conclude("Darcy column", &(head + &bars.markdown()))
+    results.conclude(&(head + &bars.markdown()))
 }
 
 /// q = k i \[m/s\].

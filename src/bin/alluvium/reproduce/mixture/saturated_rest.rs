@@ -35,7 +35,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.picture("speed", &speeds)?;
     results.picture("pressure", &pressures)?;
     closure_bar(&mut bars, &results.ledger);
-    results.conclude("Saturated bed", &(head + &bars.markdown()))
+    results.energy("Saturated bed")?;
+    results.conclude(&(head + &bars.markdown()))
 }
 
 fn text(name: &str, above: f64, options: &ReproduceOptions) -> String {

@@ -43,7 +43,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.picture("pressure", &pressure)?;
     results.picture("soil_fraction", &fraction)?;
     closure_bar(&mut bars, &results.ledger);
-    results.conclude("Settling", &(head + &bars.markdown()))
+    results.energy("Settling")?;
+    results.conclude(&(head + &bars.markdown()))
 }
 
 /// φ_s(ρ̃_s/ρ̃_f − 1): the critical gradient.

@@ -43,7 +43,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.picture("surface", &surface)?;
     results.picture("front", &front(&watched.looks))?;
     closure_bar(&mut bars, &results.ledger);
-    results.conclude("Collapse under water", &(head + &bars.markdown()))
+    results.energy("Collapse under water")?;
+    results.conclude(&(head + &bars.markdown()))
 }
 
 fn text(options: &ReproduceOptions, spacing: f64) -> String {
