@@ -147,7 +147,8 @@ impl Scene<'_> {
 
     /// The surface of the soil, one line for each instant.
     fn surfaces(&self, title: &str) -> String {
-        let chart = Chart::new(title, "x [m]", "y [m]").y_range(0.0, 1.1 * self.window.1[1]);
+        let ([left, _], [right, top]) = self.window;
+        let chart = Chart::new(title, "x [m]", "y [m]").x_range(left, right).y_range(0.0, top);
         let with = |chart: Chart, look: &&Look| {
             let profile = look.pile.profile().points().to_vec();
             chart.with(Series::line(&format!("{:.2} s", look.time), profile))
