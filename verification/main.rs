@@ -27,6 +27,8 @@ mod drops;
 mod fits;
 mod flags;
 mod identity;
+#[cfg(feature = "implicit")]
+mod implicit_drag;
 mod journal;
 mod kernels;
 mod lattice_sums;
@@ -74,6 +76,8 @@ fn studies() -> Vec<Study> {
         powers::studies(),
         mixture_rates::studies(),
         seepage::studies(),
+        #[cfg(feature = "implicit")]
+        implicit_drag::studies(),
         manufactured::studies(),
         precision::studies(),
         pore_volumes::studies(),

@@ -103,6 +103,12 @@ impl<T: Real, const D: usize> Across<T, D> {
         self.neighbourhood.for_each_neighbour(&self.positions, i, |j, _, r2| visit(j - self.soil, r2));
     }
 
+    /// The water particles listed for soil particle `i`, near or a little farther.
+    #[cfg(feature = "implicit")]
+    pub(super) fn listed_water(&self, i: usize) -> impl Iterator<Item = usize> {
+        self.neighbourhood.listed(i).map(|j| j - self.soil)
+    }
+
     /// Where the sums of water particle `a` stand.
     #[inline(always)]
     pub(super) fn water(&self, a: usize) -> usize {

@@ -169,7 +169,8 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
             record[D] = soil.grains(i);
-            record[D + 1] = if soil.is_apart(i) { T::ZERO } else { soil.volume(i) };
+            let normalised = || soil.volume(i) * drag.normalisation(pores.saturation[i]);
+            record[D + 1] = if soil.is_apart(i) { T::ZERO } else { normalised() };
             record[D + 2] = pores.pressure[i];
             record[D + 3] = pores.compression[i];
             record[D + 4] = T::ZERO;
@@ -195,7 +196,9 @@ impl<T: Real, const D: usize> Coupling<T, D> {
                 continue;
             }
             let grains = soil.phase.grains(i);
-            let (push, rate) = self.push(i, grains / soil.phase.mass[i], soil.phase.density(i));
+            // V/m of drag: the normalised weight is that of the pair.
+            let density = soil.phase.density(i) / self.drag.normalisation(self.pores.saturation[i]);
+            let (push, rate) = self.push(i, grains / soil.phase.mass[i], density);
             soil.phase.rate.acceleration[i] += push;
             self.drag.rate.push(rate);
         }

@@ -47,6 +47,8 @@ pub(super) struct Drag<T: Real> {
     pub(super) law: Arc<dyn DragLaw<T>>,
     /// Whether drag is among the forces, or solved over the step.
     pub(super) is_evaluated: bool,
+    /// Whether the weights of the water around a soil particle are made to add up to one.
+    pub(super) is_normalised: bool,
     /// |v_a − Σ V_i W v_i/Σ V_i W| at each water particle \[m/s\]; empty where the law does not ask for it.
     slip: Vec<T>,
     /// How fast drag acts on each particle, soil first: `Σ_j K_ij/m_i` \[1/s\].
@@ -61,6 +63,7 @@ impl<T: Real> Default for Drag<T> {
         Self {
             law: Arc::new(NoDrag),
             is_evaluated: true,
+            is_normalised: false,
             slip: Vec::new(),
             rate: Vec::new(),
             limit: T::INFINITY,
@@ -102,6 +105,12 @@ impl<T: Real> Drag<T> {
             let slip: Vector<T, D> = vector_sum(&self.sums, at, 0);
             if weight > T::ZERO { slip.norm() / weight } else { T::ZERO }
         }));
+    }
+
+    /// What the pairs of a soil particle are weighted with, where the water fills S \[-\] of its surroundings:
+    /// 1/S if weights are normalised, but for soil so dry, or so near a surface, that less than half is filled.
+    pub(super) fn normalisation(&self, filled: T) -> T {
+        if self.is_normalised && filled >= T::of(0.5) { T::ONE / filled } else { T::ONE }
     }
 
     /// C_d \[kg/m³/s\] at water particle `a`.

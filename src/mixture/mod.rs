@@ -48,6 +48,8 @@ pub use artificial_stress::ArtificialStress;
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
 pub use drag_scheme::DragScheme;
+#[cfg(feature = "implicit")]
+pub use implicit_drag::DragSolver;
 pub use momentum::ArtificialViscosity;
 pub use phase::Phase;
 pub use probe::Probe;

@@ -69,6 +69,14 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self
     }
 
+    /// Drag whose weights K_ia/S_i add up to one over the water around each soil particle, S_i = Σ V_a W, where that
+    /// fills at least half of its surroundings; not by default. One weight for both of a pair: momentum stays
+    /// exact.
+    pub fn with_normalised_drag(mut self) -> Self {
+        self.coupling.drag.is_normalised = true;
+        self
+    }
+
     /// Artificial viscosity (59) of water.
     ///
     /// # Errors

@@ -2,6 +2,8 @@
 //! energy and books; against a dense solution; the same bits however it is computed and across a restart.
 
 mod dense;
+mod direct;
+mod normalised;
 mod slip;
 
 use alluvium::budget::Account;

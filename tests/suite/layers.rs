@@ -131,6 +131,7 @@ fn strangers(word: &str, home: &[&str]) -> Vec<String> {
 fn each_dependency_has_one_home() {
     assert_eq!(strangers("rayon", &["parallel.rs"]), [""; 0]);
     assert_eq!(strangers("kiddo", &["neighbours/kd_tree.rs"]), [""; 0]);
+    assert_eq!(strangers("faer", &["mixture/implicit_drag/cholesky.rs"]), [""; 0]);
     assert_eq!(strangers("nalgebra", &["space/dense.rs"]), [""; 0]);
 }
 

@@ -1,4 +1,4 @@
-//! Conjugate gradients on the Schur complement, with its diagonal as preconditioner.
+//! Conjugate gradients on the Schur complement, with a preconditioner: its diagonal, or a factor.
 
 use super::system::{System, Unsolved};
 use crate::space::Vector;
@@ -6,9 +6,28 @@ use crate::space::Vector;
 /// Beyond this the iteration is lost.
 const MOST_ITERATIONS: usize = 10_000;
 
-/// Solves `S x = sides` from the `x` given, until ‖r‖ is at most `allowed`.
+/// Something near the inverse of the Schur complement, symmetric and positive definite.
+pub(super) trait Precondition<const D: usize> {
+    /// What it makes of a residual.
+    fn apply(&self, residual: &[Vector<f64, D>], out: &mut [Vector<f64, D>]);
+}
+
+/// The inverse of a diagonal.
+pub(super) struct Diagonal<'a>(pub(super) &'a [f64]);
+
+impl<const D: usize> Precondition<D> for Diagonal<'_> {
+    fn apply(&self, residual: &[Vector<f64, D>], out: &mut [Vector<f64, D>]) {
+        for ((z, r), d) in out.iter_mut().zip(residual).zip(self.0) {
+            *z = *r * (1.0 / d);
+        }
+    }
+}
+
+/// Solves `S x = sides` from the `x` given, until ‖r‖ is at most `allowed`. With an exact inverse as preconditioner
+/// that is a direct solution and what refines it.
 pub(super) fn solve<const D: usize>(
     system: &System<'_, D>,
+    precondition: &dyn Precondition<D>,
     sides: &[Vector<f64, D>],
     x: &mut [Vector<f64, D>],
     allowed: f64,
@@ -20,6 +39,7 @@ pub(super) fn solve<const D: usize>(
         *r -= *s;
     }
     let mut direction = vec![Vector::zero(); x.len()];
+    let mut steered = vec![Vector::zero(); x.len()];
     let mut before = f64::INFINITY;
     for iterations in 0.. {
         let size = system.norm(&residual);
@@ -29,10 +49,11 @@ pub(super) fn solve<const D: usize>(
         if iterations == MOST_ITERATIONS || !size.is_finite() {
             return Err(Unsolved::Iteration { residual: size, allowed, iterations });
         }
-        let now: f64 = residual.iter().zip(&system.diagonal).map(|(r, d)| r.norm2() / d).sum();
+        precondition.apply(&residual, &mut steered);
+        let now: f64 = residual.iter().zip(&steered).map(|(r, z)| r.dot(*z)).sum();
         let kept = now / before;
-        for ((p, r), d) in direction.iter_mut().zip(&residual).zip(&system.diagonal) {
-            *p = *r * (1.0 / d) + *p * kept;
+        for (p, z) in direction.iter_mut().zip(&steered) {
+            *p = *z + *p * kept;
         }
         let far = now / system.apply(&direction, &mut applied);
         for ((x, r), (p, s)) in x.iter_mut().zip(&mut residual).zip(direction.iter().zip(&applied)) {

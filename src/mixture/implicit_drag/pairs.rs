@@ -4,6 +4,7 @@ use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::mixture::Phase;
 use crate::mixture::across::Across;
+use crate::mixture::drag::Drag;
 use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
@@ -87,7 +88,7 @@ pub(super) struct Pairs {
 impl Pairs {
     /// With the neighbours listed last, the densities of now and C_a \[kg/m³/s\] at each water particle.
     pub(super) fn of<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
-        across: &Across<T, D>,
+        (across, drag): (&Across<T, D>, &Drag<T>),
         kernel: &K,
         soil: &Phase<T, D, S>,
         water: &Phase<T, D, F>,
@@ -100,7 +101,11 @@ impl Pairs {
             let mut rows = Rows::default();
             for i in range {
                 if !soil.is_apart(i) {
-                    let volume = soil.volume(i).as_f64();
+                    let mut filled = T::ZERO;
+                    if drag.is_normalised {
+                        across.for_each_water_near(i, |a, r2| filled += water.volume(a) * kernel.value(r2));
+                    }
+                    let volume = (soil.volume(i) * drag.normalisation(filled)).as_f64();
                     across.for_each_water_near(i, |a, r2| {
                         rows.push(a, volume * strengths[a] * kernel.value(r2).as_f64());
                     });
@@ -112,6 +117,16 @@ impl Pairs {
         let of_soil = parallel::reduce(soil.len(), Rows::default(), rows, |above, below| above.above(&below));
         let of_water = of_soil.transposed(water.len());
         Self { of_soil, of_water }
+    }
+
+    /// Who may drag whom until the lists are made again: the soil listed for each water particle.
+    pub(super) fn listed<T: Real, const D: usize>(across: &Across<T, D>, soil: usize, water: usize) -> Rows {
+        let mut rows = Rows::default();
+        for i in 0..soil {
+            across.listed_water(i).for_each(|a| rows.push(a, 0.0));
+            rows.end_row();
+        }
+        rows.transposed(water)
     }
 
     /// With each pair times the factor of its water particle.

@@ -1,5 +1,6 @@
 //! Drag that grows with the slip: linear systems with the coefficients of the last slips, until these settle.
 
+use super::cholesky::Pattern;
 use super::pairs::Pairs;
 use super::scheme::Stage;
 use super::system::{System, Unsolved};
@@ -20,9 +21,15 @@ pub(super) struct Sweeps<'a> {
     pub(super) seen: &'a Pairs,
     /// C_a \[kg/m³/s\] of water particle a at a slip \[m/s\].
     pub(super) coefficient: &'a dyn Fn(usize, f64) -> f64,
+    pub(super) pattern: Option<&'a Pattern>,
 }
 
 impl Sweeps<'_> {
+    fn with(&self, slips: &[f64]) -> Pairs {
+        let factors: Vec<f64> = slips.iter().enumerate().map(|(a, &s)| (self.coefficient)(a, s)).collect();
+        self.seen.times(&factors)
+    }
+
     /// As [`System::accelerations`], with the coefficients of the slips at the end of the stage.
     pub(super) fn solve<const D: usize>(
         &self,
@@ -37,10 +44,8 @@ impl Sweeps<'_> {
         let mut before: Option<[Vec<f64>; 2]> = None;
         let mut sweeps = 0;
         loop {
-            let factors: Vec<f64> =
-                slips.iter().enumerate().map(|(a, &s)| (self.coefficient)(a, s)).collect();
-            let pairs = self.seen.times(&factors);
-            let accelerations = System::new(&pairs, stage).accelerations(velocity, &begin)?;
+            let pairs = self.with(&slips);
+            let accelerations = System::new(&pairs, stage, self.pattern).accelerations(velocity, &begin)?;
             let found = self.seen.slips(&stage.moved(velocity, &accelerations, stage.step));
             sweeps += 1;
             let (change, allowed) = distance(masses, &slips, &found, floor);

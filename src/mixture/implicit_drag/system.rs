@@ -9,7 +9,8 @@
 //!
 //! Held particles have k = 0 in it: their rows are gone, and they drag the others as before.
 
-use super::conjugate_gradients;
+use super::cholesky::{Factor, Pattern};
+use super::conjugate_gradients::{self, Diagonal, Precondition};
 use super::pairs::Pairs;
 use super::scheme::Stage;
 use crate::parallel::{self, CHUNK};
@@ -41,11 +42,13 @@ pub(super) struct System<'a, const D: usize> {
     /// Δt/D_i of soil, zero where it is held.
     yielding: Vec<f64>,
     /// The diagonal of the Schur complement.
-    pub(super) diagonal: Vec<f64>,
+    diagonal: Vec<f64>,
+    factor: Option<Factor<'a>>,
 }
 
 impl<'a, const D: usize> System<'a, D> {
-    pub(super) fn new(pairs: &'a Pairs, stage: Stage<'a, D>) -> Self {
+    /// With a factor, if there is a pattern for one and rounding leaves it.
+    pub(super) fn new(pairs: &'a Pairs, stage: Stage<'a, D>, pattern: Option<&'a Pattern>) -> Self {
         let Stage { masses, soil, held, step, .. } = stage;
         let yielding: Vec<f64> = (0..soil)
             .map(|i| if i < held[0] { 0.0 } else { step / (masses[i] + step * pairs.of_soil.sum(i)) })
@@ -56,7 +59,8 @@ impl<'a, const D: usize> System<'a, D> {
                 masses[soil + a] + step * drag.sum::<f64>()
             })
             .collect();
-        Self { pairs, stage, yielding, diagonal }
+        let factor = pattern.and_then(|pattern| Factor::new(pattern, pairs, &stage));
+        Self { pairs, stage, yielding, diagonal, factor }
     }
 
     /// The effective accelerations of a stage from `velocity`; of held particles, what they resist. The solution
@@ -73,7 +77,13 @@ impl<'a, const D: usize> System<'a, D> {
         }
         let mut water = begin.to_vec();
         water[..held[1]].fill(Vector::zero());
-        conjugate_gradients::solve(self, &self.condensed(&sides), &mut water, self.allowed(velocity))?;
+        let diagonal = Diagonal(&self.diagonal);
+        let precondition: &dyn Precondition<D> = match &self.factor {
+            Some(factor) => factor,
+            None => &diagonal,
+        };
+        let (condensed, allowed) = (self.condensed(&sides), self.allowed(velocity));
+        conjugate_gradients::solve(self, precondition, &condensed, &mut water, allowed)?;
         let mut accelerations = self.soil_behind(&water, &sides[..soil]);
         accelerations.extend(water);
         self.make_exact(velocity, &mut accelerations);
