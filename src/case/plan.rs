@@ -35,9 +35,9 @@ pub struct DragPlan {
     pub law: String,
 }
 
-/// Beyond this Δt/t_s automatic drag is solved over the step: explicit drag takes half of t_s, and two or more of
-/// its steps cost more than one of implicit drag.
-const STIFF: f64 = 1.0;
+/// Beyond this Δt/t_s automatic drag is solved over the step: explicit drag then takes four steps of ½ t_s and more,
+/// and a step of implicit drag costs about as much as four (`docs/performance.md`).
+const STIFF: f64 = 2.0;
 
 impl Case {
     /// What each limit allows, of the state at the start; the shortest that binds is the run's step, unless that is

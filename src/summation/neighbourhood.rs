@@ -191,6 +191,7 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
 
     /// The owners of all that is listed for particle `i`, within the support or not: the same until the list is
     /// rebuilt.
+    #[cfg(feature = "implicit")]
     pub(crate) fn listed(&self, i: usize) -> impl Iterator<Item = usize> {
         let owner = |j: usize| j.checked_sub(self.particles).map_or(j, |g| self.ghosts[g].owner as usize);
         self.list.of(i).map(owner)
