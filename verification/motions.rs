@@ -297,7 +297,7 @@ fn mixed<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
             Source { acceleration: run.wrong(source.acceleration, 0, &x, t), memory }
         });
     if run.corrected {
-        mixture.with_gradient_correction()
+        mixture.with_gradient_correction().with_normalised_drag()
     } else {
         mixture.with_coupling(CouplingForm::Printed)
     }
