@@ -197,11 +197,13 @@ impl<T: Real> YieldSurface<T> for DruckerPrager<T> {
         cone.max(mean - self.largest_tension)
     }
 
-    /// Of the cone: `∂F/∂σ = α_θ I + τ/2√J₂`, without its last term where there is no shear.
+    /// Of the cone: `∂F/∂σ = α_θ I + τ/2√J₂`, without its last term where there is no shear: what rounding
+    /// leaves of it at the apex has no direction.
     #[inline(always)]
     fn flow(&self, stress: &SymTensor<T>) -> Flow<T> {
         let (tau, shear) = (stress.deviator(), stress.root_j2());
-        let along = if shear > T::ZERO { tau * (T::of(0.5) / shear) } else { SymTensor::zero() };
+        let none = T::of(4.0) * T::EPSILON * stress.trace().abs();
+        let along = if shear > none { tau * (T::of(0.5) / shear) } else { SymTensor::zero() };
         Flow {
             normal: along + SymTensor::isotropic(self.friction),
             direction: along + SymTensor::isotropic(self.dilatancy),

@@ -110,6 +110,16 @@ fn unloading_is_elastic_and_so_is_soil_that_does_not_yield() {
     assert_eq!(elastic.admit(torn).0, torn);
 }
 
+/// At the apex rounding leaves a deviator, of which the flow must not make a direction.
+#[test]
+fn a_stress_without_shear_flows_without_shear() {
+    let surface = DruckerPrager::cohesive(Cone::PlaneStrain, 0.4_f32, 0.1, 300.0).unwrap();
+    for k in 1..1000 {
+        let stress = SymTensor::isotropic(k as f32 * 0.7);
+        assert_eq!(surface.flow(&stress).direction, SymTensor::isotropic(surface.dilatancy()), "{k}");
+    }
+}
+
 #[test]
 fn plastic_shear_cancels_in_a_cycle_and_its_equivalent_does_not() {
     let start = SoilMemory::stressed(SymTensor::isotropic(-1e3));
