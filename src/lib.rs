@@ -113,6 +113,7 @@ pub use space::{SymTensor, Tensor, Vector};
 mod documents {
     #[doc = include_str!("../README.md")]
     struct Readme;
+    #[cfg(feature = "verify")]
     #[doc = include_str!("../docs/extending.md")]
     struct Extending;
 }

@@ -1,11 +1,10 @@
-//! What the studies share: a cloud on an arrangement, and the mistakes mutants make.
+//! What the studies share: a cloud on an arrangement, and numbers of ready-made studies.
 
 use alluvium::kernel::Kernel;
 use alluvium::neighbours::{CellList, NeighbourSearch};
 use alluvium::summation::{Cloud, Neighbourhood};
-use alluvium::verify::Arrangement;
-use alluvium::{Num, Real, Vector};
-use std::ops::Range;
+use alluvium::verify::{Arrangement, Conditions, Measured, Study};
+use alluvium::{Real, Vector};
 
 /// A cloud of density one on an arrangement, sorted as the library wants it.
 pub struct Bench<T: Real, K, const D: usize> {
@@ -61,70 +60,10 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> Bench<T, K, D> {
     }
 }
 
-/// A kernel with a mistake: wrong constants, or the support of another smoothing length.
-#[derive(Clone, Debug)]
-pub struct Flawed<K> {
-    pub kernel: K,
-    pub value_factor: f64,
-    pub slope_factor: f64,
-    pub stretch: f64,
-}
-
-impl<K> Flawed<K> {
-    /// No mistake yet.
-    pub fn none(kernel: K) -> Self {
-        Self { kernel, value_factor: 1.0, slope_factor: 1.0, stretch: 1.0 }
-    }
-    /// Both constants wrong by a factor.
-    pub fn scaled(kernel: K, factor: f64) -> Self {
-        Self { value_factor: factor, slope_factor: factor, ..Self::none(kernel) }
-    }
-}
-
-impl<T: Real, K: Kernel<T, D>, const D: usize> Kernel<T, D> for Flawed<K> {
-    fn smoothing_length(&self) -> T {
-        self.kernel.smoothing_length()
-    }
-    fn support(&self) -> T {
-        self.kernel.support()
-    }
-    #[inline(always)]
-    fn value<N: Num<Scalar = T>>(&self, r2: N) -> N {
-        N::lit(self.value_factor) * self.kernel.value(r2 * N::lit(self.stretch * self.stretch))
-    }
-    #[inline(always)]
-    fn slope<N: Num<Scalar = T>>(&self, r2: N) -> N {
-        N::lit(self.slope_factor) * self.kernel.slope(r2 * N::lit(self.stretch * self.stretch))
-    }
-}
-
-/// A search that sees less far than it is told.
-#[derive(Debug)]
-pub struct ShortSighted<T, const D: usize> {
-    points: Vec<Vector<T, D>>,
-    radius: T,
-    factor: f64,
-}
-
-impl<T: Real, const D: usize> ShortSighted<T, D> {
-    pub fn new(factor: f64) -> Self {
-        Self { points: Vec::new(), radius: T::ZERO, factor }
-    }
-}
-
-impl<T: Real, const D: usize> NeighbourSearch<T, D> for ShortSighted<T, D> {
-    fn name(&self) -> &'static str {
-        "short-sighted"
-    }
-    fn rebuild(&mut self, points: &[Vector<T, D>], radius: T) {
-        self.points = points.to_vec();
-        self.radius = radius * T::of(self.factor);
-    }
-    fn candidates(&self, place: &Vector<T, D>, ranges: &mut Vec<Range<u32>>) {
-        for (j, x) in self.points.iter().enumerate() {
-            if (*x - *place).norm2() <= self.radius * self.radius {
-                ranges.push(j as u32..j as u32 + 1);
-            }
-        }
-    }
+/// What one of the ready-made studies measures, under the mutant in force too.
+pub fn measured(studies: &[Study], what: &str, conditions: &Conditions) -> Measured {
+    let is_it = |study: &&Study| study.name.rsplit_once('/').is_some_and(|(_, name)| name == what);
+    let study = studies.iter().find(is_it).unwrap_or_else(|| panic!("there is a study of `{what}`"));
+    let outcome = conditions.mutant.map_or_else(|| study.run(), |mutant| study.run_mutant(mutant));
+    outcome.measured.unwrap_or_else(|| panic!("{}: {}", study.name, outcome.sentence))
 }

@@ -1,11 +1,11 @@
 //! The same bits whatever the threads, the instructions and the search.
 
-use crate::bench::{Bench, ShortSighted};
+use crate::bench::Bench;
 use alluvium::kernel::WendlandC2;
 use alluvium::neighbours::{BruteForce, CellList, NeighbourSearch};
 use alluvium::parallel::Threads;
 use alluvium::summation::{Form, Neighbourhood};
-use alluvium::verify::{Arrangement, Conditions, Expected, Measured, Study};
+use alluvium::verify::{Arrangement, Conditions, Expected, Measured, ShortSighted, Study};
 use alluvium::{InstructionSet, Real};
 
 const SHORT: &str = "search 1 % short of the support";
@@ -34,7 +34,7 @@ fn differences<T: Real, const D: usize>(conditions: &Conditions) -> Measured {
         for set in InstructionSet::NAMES {
             let search: Box<dyn NeighbourSearch<T, D>> = match conditions.is(SHORT) {
                 // The list reaches a tenth further than the support: less would not be a mistake.
-                true => Box::new(ShortSighted::new(0.99 / 1.1)),
+                true => Box::new(ShortSighted::new(Box::<BruteForce>::default(), 0.99 / 1.1)),
                 false => Box::<CellList<T, D>>::default(),
             };
             let found = bits::<T, D>(search, set, threads);

@@ -1,10 +1,10 @@
 //! Sums over square and cubic lattices: kernel, search and pair loop together, to the last digits.
 
-use crate::bench::{Bench, Flawed, ShortSighted};
+use crate::bench::Bench;
 use alluvium::Real;
 use alluvium::kernel::{Kernel, WendlandC2};
 use alluvium::neighbours::{CellList, NeighbourSearch};
-use alluvium::verify::{Arrangement, Conditions, Expected, Measured, Study};
+use alluvium::verify::{Arrangement, Conditions, Expected, Flawed, Measured, ShortSighted, Study};
 
 /// Dimension, h/Δx, neighbours with the particle itself, ΣVW − 1, ΣV x ∂W/∂x + 1, ΣVWx²/h².
 const TABLE: &str = include_str!("data/kernel_lattice_sums.csv");
@@ -87,7 +87,7 @@ fn count<T: Real, K: Kernel<T, D>, const D: usize>(bench: &Bench<T, K, D>, i: us
 fn neighbours<const D: usize>(conditions: &Conditions) -> Measured {
     let difference = |ratio: f64| {
         let search: Box<dyn NeighbourSearch<f64, D>> = match conditions.is(SHORT) {
-            true => Box::new(ShortSighted::new(0.99)),
+            true => Box::new(ShortSighted::new(Box::<CellList<f64, D>>::default(), 0.99)),
             false => Box::<CellList<f64, D>>::default(),
         };
         let bench = Bench::with_search(&Arrangement::lattice(SIDE), kernel::<f64, D>(ratio), true, search);

@@ -40,6 +40,7 @@ mod operators_exact;
 mod pore_volumes;
 mod powers;
 mod precision;
+mod ready;
 mod scene;
 mod seepage;
 mod settling;
@@ -70,6 +71,7 @@ fn studies() -> Vec<Study> {
         kernels::studies(),
         lattice_sums::studies(),
         identity::studies(),
+        ready::studies(),
         operators::studies(),
         operators_exact::studies(),
         still_tank::studies(),

@@ -4,11 +4,11 @@
 //! converge at a fixed h/Δx: their error stays at the lattice's own gain error, or grows like 1/Δx on
 //! disordered particles. That is their nature and is asserted as such.
 
-use crate::bench::{Bench, Flawed};
+use crate::bench::Bench;
 use alluvium::Real;
 use alluvium::kernel::WendlandC2;
 use alluvium::summation::{Cloud, Corrections, Form};
-use alluvium::verify::{Arrangement, Conditions, Expected, Level, Measured, Study, relative_l2};
+use alluvium::verify::{Arrangement, Conditions, Expected, Flawed, Level, Measured, Study, relative_l2};
 use std::f64::consts::PI;
 
 const SOURCE: &str = "an independent program; the gain error is the lattice sum of the kernel";

@@ -104,7 +104,6 @@ impl Expected {
     /// Whether the measured numbers are as expected, and a sentence about it. No number, or one
     /// that is not a number, is never as expected.
     pub fn judge(&self, measured: &Measured) -> (bool, String) {
-        let values = || measured.points.iter().map(|point| point.value);
         match *self {
             Self::Order { at_least, at_most } => {
                 let last = measured.orders().last().copied().unwrap_or(f64::NAN);
@@ -115,33 +114,37 @@ impl Expected {
                 ((at_least..=at_most).contains(&last), sentence)
             }
             Self::Plateau { value, tolerance } => {
-                let error = values().next_back().unwrap_or(f64::NAN);
+                let error = measured.points.last().map_or(f64::NAN, |point| point.value);
                 let order = measured.orders().last().copied().unwrap_or(f64::NAN);
                 let met = (error - value).abs() <= tolerance * value.abs() && order.abs() < 0.5;
                 (met, format!("error {error:.4e}, last order {order:.3}; {self}"))
             }
             Self::Value { value, tolerance } => {
-                let worst = farthest(values(), value);
-                ((worst - value).abs() <= tolerance, format!("farthest value {worst:.10e}; {self}"))
+                let (worst, at) = farthest(measured, value);
+                ((worst - value).abs() <= tolerance, format!("farthest value {worst:.10e}{at}; {self}"))
             }
             Self::Bound { largest } => {
-                let worst = farthest(values(), 0.0).abs();
-                (worst <= largest, format!("largest magnitude {worst:.3e}; {self}"))
+                let (worst, at) = farthest(measured, 0.0);
+                let worst = worst.abs();
+                (worst <= largest, format!("largest magnitude {worst:.3e}{at}; {self}"))
             }
             Self::Identical => {
-                let worst = farthest(values(), 0.0);
-                (worst == 0.0, format!("{worst} differences; {self}"))
+                let (worst, at) = farthest(measured, 0.0);
+                let at = if worst == 0.0 { String::new() } else { at };
+                (worst == 0.0, format!("{worst} differences{at}; {self}"))
             }
         }
     }
 }
 
-/// The value farthest from `centre`; NaN if any is, or if there is none.
-fn farthest(values: impl Iterator<Item = f64>, centre: f64) -> f64 {
-    let farther = |a: f64, b: f64| {
-        if b.is_nan() || (b - centre).abs() > (a - centre).abs() { b } else { a }
-    };
-    values.reduce(farther).unwrap_or(f64::NAN)
+/// The value farthest from `centre`, and in brackets what it belongs to; NaN if any is, or if there is none.
+fn farthest(measured: &Measured, centre: f64) -> (f64, String) {
+    let farther =
+        |a: &Point, b: &Point| b.value.is_nan() || (b.value - centre).abs() > (a.value - centre).abs();
+    let worst = measured.points.iter().reduce(|a, b| if farther(a, b) { b } else { a });
+    let label = worst.map_or("", |point| point.label.as_str());
+    let label = if label.is_empty() { String::new() } else { format!(" ({label})") };
+    (worst.map_or(f64::NAN, |point| point.value), label)
 }
 
 impl core::fmt::Display for Expected {

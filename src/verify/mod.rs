@@ -2,7 +2,8 @@
 //!
 //! A [`Study`] claims something, measures it, and says beforehand what has to come out: an order, a
 //! value, a bound, a plateau. It also names mutants: deliberate mistakes under which it must fail,
-//! so that a study which cannot fail is found out. Hand your own kernel, law or search to one.
+//! so that a study which cannot fail is found out. For a kernel, a law, a search, an integrator
+//! or a law of drag of your own there are studies [`ready`] made, to be run with [`all`].
 //!
 //! ```
 //! use alluvium::verify::{Conditions, Expected, Measured, Study, observed_order};
@@ -23,11 +24,13 @@
 //! ```
 
 mod arrangement;
+mod broken;
 pub mod consolidation;
 mod curve;
 pub mod dam_break;
 mod environment;
 mod expected;
+mod flawed;
 pub mod jet;
 mod json;
 pub mod manufactured;
@@ -35,6 +38,8 @@ mod norms;
 mod order;
 mod parcel;
 pub mod plot;
+mod quadrature;
+pub mod ready;
 mod report;
 mod richardson;
 pub mod sand_column;
@@ -42,12 +47,15 @@ mod study;
 pub mod u_tube;
 
 pub use arrangement::{Arrangement, Random};
+pub use broken::{Broken, all};
 pub use curve::Curve;
 pub use environment::Environment;
 pub use expected::{Expected, Measured, Point};
+pub use flawed::{Flawed, ShortSighted};
 pub use norms::{l_infinity, relative_l2};
 pub use order::{OrderFit, fit_order, observed_order, observed_orders};
 pub use parcel::Parcel;
+pub use quadrature::integrate;
 pub use report::Report;
 pub use richardson::{Richardson, gci_of_two};
 pub use study::{Conditions, Level, Outcome, Study};

@@ -27,6 +27,7 @@ const DRIVEN: &[&str] = &[
     "neighbours",
     "summation",
     "material",
+    "driver",
     "time",
     "budget",
     "mixture",

@@ -1,8 +1,13 @@
 //! What another crate can add through the public interface alone: a kernel, a search, an integrator,
-//! a law and a yield surface, each checked for what it has to do. `docs/extending.md` tells the same as recipes.
+//! a law and a yield surface, each checked for what it has to do, most of it by ready-made studies.
+//! `docs/extending.md` tells the same as recipes.
 
 mod integrator;
+#[cfg(feature = "verify")]
+mod jelly;
 mod kernel;
 mod law;
 mod search;
+#[cfg(feature = "verify")]
+mod verified;
 mod yield_surface;

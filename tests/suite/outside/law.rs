@@ -13,9 +13,9 @@ use core::ops::ControlFlow;
 
 /// `p = ρ̃₀ c² (ρ̃/ρ̃₀ − 1)`.
 #[derive(Clone, Debug)]
-struct Hooke {
-    density: f64,
-    sound_speed: f64,
+pub struct Hooke {
+    pub density: f64,
+    pub sound_speed: f64,
 }
 
 impl Hooke {
@@ -93,7 +93,7 @@ fn a_linear_fluid_flows_like_water_of_exponent_one() {
 
 /// `∫ ∂v^γ/∂x^γ dt`: minus the logarithm of the density, if the two go together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Stretch(f64);
+pub struct Stretch(f64);
 
 impl Memory<f64> for Stretch {
     fn advanced(self, rate: Self, dt: f64) -> Self {
@@ -106,7 +106,7 @@ impl Memory<f64> for Stretch {
 
 /// Water that remembers how far it was stretched.
 #[derive(Clone, Debug)]
-struct Remembering(Water<f64>);
+pub struct Remembering(pub Water<f64>);
 
 impl Material<f64> for Remembering {
     type Memory = Stretch;

@@ -20,7 +20,11 @@ pub struct Sweep {
 
 impl Sweep {
     pub fn new() -> Self {
-        Self { reach: 1.0 + 1e-6, ..Self::default() }
+        Self::reaching(1.0 + 1e-6)
+    }
+
+    pub fn reaching(reach: f64) -> Self {
+        Self { reach, ..Self::default() }
     }
 }
 
@@ -60,6 +64,6 @@ fn it_gives_the_bits_of_the_cell_list() {
 
 #[test]
 fn one_that_looks_too_near_does_not() {
-    let short = || -> Box<dyn NeighbourSearch<f64, 2>> { Box::new(Sweep { reach: 0.7, ..Sweep::new() }) };
+    let short = || -> Box<dyn NeighbourSearch<f64, 2>> { Box::new(Sweep::reaching(0.7)) };
     assert_ne!(state(tank::<f64, 2>().with_search(short)), state(tank::<f64, 2>()));
 }
