@@ -11,11 +11,13 @@
 //! $$\frac{D\rho_a}{Dt} = \tilde\rho_a\Big[\sum_b V_b \mathbf v_{ab}\cdot\nabla_a W_{ab}
 //! - \sum_i w_i W_{ai} D_i\Big],\qquad D_i = \frac1{S_i}\sum_a V_a\,\mathbf v_{ai}\cdot\nabla_a W_{ai}.$$
 
+use super::Phase;
 use super::across::Across;
 use super::constituent::Constituent;
 use super::drag::Drag;
 use super::evaluation::vector_sum;
 use super::pore::Pores;
+use super::projected_drag::ProjectedDrag;
 use super::setting::Setting;
 use crate::budget::Account;
 use crate::kernel::Kernel;
@@ -148,6 +150,9 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     ) {
         self.drag.find_slip(&mut self.across, &setting.kernel, &soil.phase, &water.phase);
         self.sum_exchange(&setting.kernel, soil, water);
+        if self.drag.is_projected {
+            self.project_drag(&setting.kernel, &soil.phase, &water.phase);
+        }
         self.drag.rate.clear();
         self.push_soil(soil);
         self.push_water(water);
@@ -182,11 +187,42 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             record[D + 1] = water.volume(a);
             record[D + 2] = water.pressure[a];
             record[D + 3] = T::ZERO;
-            record[D + 4] = drag.coefficient(water, a);
+            record[D + 4] = if drag.is_projected { T::ZERO } else { drag.coefficient(water, a) };
             record[D + 5] = T::ONE;
         };
         let formula = Exchange::<K, D> { kernel: kernel.clone() };
         self.across.sum(&formula, &[T::ZERO; 9][..D + 6], &of_soil, &of_water, &mut self.sums);
+    }
+
+    /// Puts drag along the line between particles where drag stands in the sums.
+    fn project_drag<K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+        &mut self,
+        kernel: &K,
+        soil: &Phase<T, D, S>,
+        water: &Phase<T, D, F>,
+    ) {
+        let (pores, drag) = (&self.pores, &self.drag);
+        let of_soil = |i: usize, record: &mut [T]| {
+            record[..D].copy_from_slice(&soil.now.velocity[i].0);
+            let normalised = || soil.volume(i) * drag.normalisation(pores.saturation[i]);
+            record[D] = if soil.is_apart(i) { T::ZERO } else { normalised() };
+            record[D + 1] = T::ZERO;
+        };
+        let of_water = |a: usize, record: &mut [T]| {
+            record[..D].copy_from_slice(&water.now.velocity[a].0);
+            record[D] = water.volume(a);
+            record[D + 1] = drag.coefficient(water, a);
+        };
+        let mut projected = Sums::default();
+        let formula = ProjectedDrag::<T, K, D>::new(kernel);
+        self.across.sum(&formula, &[T::ZERO; 5][..D + 2], &of_soil, &of_water, &mut projected);
+        for i in 0..soil.len() + water.len() {
+            for k in 0..D {
+                self.sums.set(i, D + k, projected.get(i, k));
+            }
+            self.sums.set(i, 2 * D + sum::DRAG, projected.get(i, D));
+            self.sums.set(i, 2 * D + sum::DRAG_POWER, projected.get(i, D + 1));
+        }
     }
 
     fn push_soil<S: Material<T>>(&mut self, soil: &mut Constituent<T, D, S>) {

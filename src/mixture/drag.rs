@@ -49,6 +49,8 @@ pub(super) struct Drag<T: Real> {
     pub(super) is_evaluated: bool,
     /// Whether the weights of the water around a soil particle are made to add up to one.
     pub(super) is_normalised: bool,
+    /// Whether it acts along the line between the particles of a pair only.
+    pub(super) is_projected: bool,
     /// |v_a − Σ V_i W v_i/Σ V_i W| at each water particle \[m/s\]; empty where the law does not ask for it.
     slip: Vec<T>,
     /// How fast drag acts on each particle, soil first: `Σ_j K_ij/m_i` \[1/s\].
@@ -64,6 +66,7 @@ impl<T: Real> Default for Drag<T> {
             law: Arc::new(NoDrag),
             is_evaluated: true,
             is_normalised: false,
+            is_projected: false,
             slip: Vec::new(),
             rate: Vec::new(),
             limit: T::INFINITY,

@@ -26,6 +26,7 @@ mod own_pairs;
 mod phase;
 mod pore;
 mod probe;
+mod projected_drag;
 mod regularisation;
 mod reinitialisation;
 mod relaxation;

@@ -88,6 +88,8 @@ pub enum StepError {
         /// Time \[s\].
         time: f64,
     },
+    /// Drag along the line between particles was to be solved over the step.
+    ProjectedDragUnsolved,
     /// The iteration for the slips that implicit drag depends on did not converge.
     DragUnsettled {
         /// Largest change of the slips in the last sweep \[m/s\].
@@ -138,6 +140,9 @@ impl fmt::Display for StepError {
                 f,
                 "time step {step:.3e} s at t = {time:.6e} s is too long for explicit drag by {law}: it allows at most {allowed:.3e} s; implicit drag (feature `implicit`) allows any"
             ),
+            Self::ProjectedDragUnsolved => {
+                f.write_str("implicit drag cannot be projected: take DragScheme::Explicit, or plain drag")
+            }
             Self::DragUnsettled { change, allowed, sweeps, law, time } => write!(
                 f,
                 "implicit drag at t = {time:.6e} s by {law} is not settled after {sweeps} sweeps: slips still change by {change:.3e} m/s, allowed is {allowed:.3e} m/s"

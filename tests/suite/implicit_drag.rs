@@ -4,6 +4,7 @@
 mod dense;
 mod direct;
 mod normalised;
+mod projected;
 mod slip;
 
 use alluvium::budget::Account;

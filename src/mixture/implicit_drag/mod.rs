@@ -124,6 +124,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         if !self.implicit_drag.is_on() || !self.is_shared() {
             return Ok(());
         }
+        if self.coupling.drag.is_projected {
+            return Err(StepError::ProjectedDragUnsolved);
+        }
         let (soil, water) = (&self.soil.phase, &self.water.phase);
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.find_neighbours(&soil.position, &water.position, sorted);
