@@ -6,7 +6,7 @@ use alluvium::kernel::WendlandC2;
 use alluvium::material::{
     Conductivity, Cone, Darcy, DragLaw, DruckerPrager, Elasticity, LateralRatio, Soil, Water,
 };
-use alluvium::mixture::{Mixture, Phase, Slip, Wall};
+use alluvium::mixture::{DensityDiffusion, Mixture, Phase, Slip, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{LeapFrog, StepSize};
 use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
@@ -23,9 +23,10 @@ pub fn studies() -> Vec<Study> {
         darcy::<f64, 2>("mixture/darcy/2d/f64"),
         darcy::<f64, 3>("mixture/darcy/3d/f64"),
         darcy::<f32, 2>("mixture/darcy/2d/f32"),
-        rest("mixture/saturated bed/quick", 0.00625, 0.0, 0.02),
-        rest("mixture/saturated bed/as in the paper", 0.005, 0.0, 0.5).level(Level::Full),
-        rest("mixture/saturated bed/under water", 0.005, 0.05, 0.5).level(Level::Full),
+        rest("mixture/saturated bed/quick", Bed { spacing: 0.00625, ..FLUSH }, 0.02),
+        rest("mixture/saturated bed/as in the paper", FLUSH, 0.5).level(Level::Full),
+        rest("mixture/saturated bed/under water", Bed { above: 0.05, ..FLUSH }, 0.5).level(Level::Full),
+        rest("mixture/saturated bed/under water, no corners", WITHOUT_CORNERS, 0.1),
     ]
 }
 
@@ -100,12 +101,26 @@ fn seepage<T: Real, const D: usize>(power: i32) -> f64 {
     flow / time / (k * slope)
 }
 
-/// The bed of the paper's jet (Table 3), without a jet, under `above` \[m\] of water.
-fn rest(name: &str, spacing: f64, above: f64, end: f64) -> Study {
+/// The bed of the paper's jet (Table 3), without a jet.
+#[derive(Clone, Copy)]
+struct Bed {
+    spacing: f64,
+    width: f64,
+    /// Depth of the water over it \[m\].
+    above: f64,
+    /// Without what disturbs a surface of water also where there is no soil: side walls, and density
+    /// diffusion.
+    is_bare: bool,
+}
+
+const FLUSH: Bed = Bed { spacing: 0.005, width: 0.45, above: 0.0, is_bare: false };
+const WITHOUT_CORNERS: Bed = Bed { spacing: 0.0125, width: 0.15, above: 0.05, is_bare: true };
+
+fn rest(name: &str, bed: Bed, end: f64) -> Study {
     Study::new(
         name,
         "a saturated bed of soil laid under its buoyant weight rests (values: rms velocity in m/s)",
-        move |conditions| Measured::values(velocities(spacing, above, end, conditions)),
+        move |conditions| Measured::values(velocities(bed, end, conditions)),
     )
     .equations(&["55", "58", "68", "75", "76"])
     .source("nothing drives it")
@@ -114,8 +129,9 @@ fn rest(name: &str, spacing: f64, above: f64, end: f64) -> Study {
     .mutant(OUTSIDE)
 }
 
-fn velocities(spacing: f64, above: f64, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
-    let (width, height, volume) = (0.45, 0.175, spacing * spacing);
+fn velocities(bed: Bed, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
+    let Bed { spacing, width, above, is_bare } = bed;
+    let (height, volume) = (0.175, spacing * spacing);
     let level = height + (above / spacing).round() * spacing;
     let weight = if conditions.is(DRY) { 2700.0 } else { 1700.0 } * GRAVITY;
     let elasticity = Elasticity::from_bulk(125e6, 0.3).expect("moduli");
@@ -123,7 +139,7 @@ fn velocities(spacing: f64, above: f64, end: f64, conditions: &Conditions) -> Ve
     let ratio = LateralRatio::new(&elasticity, &cone);
     let ratio = if conditions.is(OUTSIDE) { ratio.printed } else { ratio.admissible() };
     let walls: Vec<Vector<f64, 2>> =
-        setup::tank([0.0; 2], [width, level], spacing, 3, [(true, true), (true, false)]);
+        setup::tank([0.0; 2], [width, level], spacing, 3, [(!is_bare, !is_bare), (true, false)]);
     let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < height);
     let mut soil = Phase::new(Soil::new(2700.0, elasticity, cone).expect("a soil"));
     let sticks = || Wall::extrapolated(Slip::NoSlip);
@@ -145,8 +161,14 @@ fn velocities(spacing: f64, above: f64, end: f64, conditions: &Conditions) -> Ve
     let mixture = Mixture::new(WendlandC2::new(h).expect("a length"), soil, water)
         .with_gravity(Vector([0.0, -GRAVITY]))
         .with_drag(Darcy::new(Conductivity::new(5e-4).expect("a conductivity")))
-        .with_density_relaxation(400.0 * h / 250.0)
+        .with_density_relaxation(200.0 * h / 250.0)
         .expect("a time");
+    let mixture = if is_bare {
+        let undiffused = mixture.with_periodic(periodic([width, 0.0]));
+        undiffused.with_density_diffusion(DensityDiffusion::None).expect("none")
+    } else {
+        mixture
+    };
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
     while run.time() < end {
         if let Err(error) = run.step() {
