@@ -45,6 +45,7 @@ mod scene;
 mod seepage;
 mod settling;
 mod soil;
+mod soil_at_rest;
 mod soil_cut;
 mod soil_plate;
 mod soil_rates;
@@ -91,6 +92,7 @@ fn studies() -> Vec<Study> {
         channel::studies(),
         tanks::studies(),
         drops::studies(),
+        soil_at_rest::studies(),
         soil_rates::studies(),
         soil_cut::studies(),
         soil_plate::studies(),
