@@ -55,8 +55,8 @@ pub(super) struct Drag<T: Real> {
     slip: Vec<T>,
     /// How fast drag acts on each particle, soil first: `Σ_j K_ij/m_i` \[1/s\].
     pub(super) rate: Vec<T>,
-    /// The step \[s\] at which explicit drag turns unstable.
-    pub(super) limit: T,
+    /// How fast the fastest pair is dragged, `Σ_b K_ib/m_i + Σ_j K_ja/m_a` \[1/s\].
+    pub(super) fastest: T,
     sums: Sums<T>,
 }
 
@@ -69,7 +69,7 @@ impl<T: Real> Default for Drag<T> {
             is_projected: false,
             slip: Vec::new(),
             rate: Vec::new(),
-            limit: T::INFINITY,
+            fastest: T::ZERO,
             sums: Sums::default(),
         }
     }
@@ -144,8 +144,12 @@ impl<T: Real> Drag<T> {
                 across.for_each_water_near(i, |a, _| fastest = fastest.max(rate + of_water[a]));
             }
         }
-        fastest *= self.steepening(water);
-        self.limit = if fastest > T::ZERO { T::ONE / fastest } else { T::INFINITY };
+        self.fastest = fastest * self.steepening(water);
+    }
+
+    /// The step \[s\] at which explicit drag turns unstable.
+    pub(super) fn limit(&self) -> T {
+        if self.fastest > T::ZERO { T::ONE / self.fastest } else { T::INFINITY }
     }
 
     /// How much steeper than C_d the drag is over the slip, at most.

@@ -231,7 +231,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         let h = self.setting.kernel.smoothing_length();
         let own = self.soil.limits(h).shorter(self.water.limits(h));
         let drag_limits = self.is_shared() && self.coupling.drag.is_evaluated;
-        if drag_limits { Limits { drag: self.coupling.drag.limit, ..own } } else { own }
+        if drag_limits { Limits { drag: self.coupling.drag.limit(), ..own } } else { own }
     }
 
     /// The law of drag between soil and water.

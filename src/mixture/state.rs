@@ -54,8 +54,8 @@ pub struct MixtureState<T: Real, const D: usize, S, F> {
     soil: ConstituentState<T, D, S>,
     water: ConstituentState<T, D, F>,
     exchanged: [Exchange<D>; 2],
-    /// The step explicit drag allows \[s\].
-    drag_limit: T,
+    /// How fast the fastest pair is dragged \[1/s\].
+    fastest_drag: T,
     /// Where the particles were when those of the other constituent were listed, and their shifts.
     across: (Vec<Vector<T, D>>, Vec<Vector<T, D>>),
     /// Accelerations of soil and water without drag, where that is solved over the step.
@@ -183,7 +183,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             soil: self.soil.state(),
             water: self.water.state(),
             exchanged: self.exchanged,
-            drag_limit: self.coupling.drag.limit,
+            fastest_drag: self.coupling.drag.fastest,
             across: self.coupling.across.listed(),
             #[cfg(feature = "implicit")]
             without_drag: self.implicit_drag.without.clone(),
@@ -203,7 +203,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.water.restore(state.water);
         self.setting.time = state.time;
         self.exchanged = state.exchanged;
-        self.coupling.drag.limit = state.drag_limit;
+        self.coupling.drag.fastest = state.fastest_drag;
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.list_again(state.across, self.soil.phase.len(), sorted);
         #[cfg(feature = "implicit")]
