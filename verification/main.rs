@@ -202,8 +202,10 @@ fn trial(
 
 /// Writes what was asked for; nothing where nothing was.
 fn write_reports(flags: &Flags, studies: &[Study], outcomes: &[Outcome]) -> std::io::Result<()> {
+    // Before anything is written: a report that git knows would make the next one say it was changed.
+    let environment = Environment::detect();
     for file in &flags.reports {
-        let report = Report::new(Environment::detect(), studies, outcomes);
+        let report = Report::new(environment.clone(), studies, outcomes);
         match file.as_str() {
             "-" => print!("{}", report.markdown()),
             name if name.ends_with(".json") => std::fs::write(name, report.json())?,
