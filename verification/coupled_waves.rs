@@ -38,66 +38,77 @@ const AMPLITUDE: f64 = 1e-4;
 /// Second moment of the kernel over h², Wendland C2 in two dimensions.
 const SECOND_MOMENT: f64 = 5.0 / 18.0;
 
+/// Table 3, and the same with softer water.
+const IN_TABLE: Rock = Rock { sound_speed: 250.0 };
+const SOFT: Rock = Rock { sound_speed: 100.0 };
+
 pub fn studies() -> Vec<Study> {
-    let in_table = Rock { sound_speed: 250.0 };
-    let soft = Rock { sound_speed: 100.0 };
-    vec![
-        Study::new(
-            "mixture/waves/phase/2d/f64",
-            "a compression wave of soil and water has the phase of their linear equations (values: relative \
-             error of the frequency)",
-            move |c| {
-                Measured::values([("c_f = 250 m/s", in_table), ("c_f = 100 m/s", soft)].map(
-                    |(name, rock)| {
-                        let exact = rock.equations().fast();
-                        (name, rock.run(exact, 2.5, c).im / exact.im - 1.0)
-                    },
-                ))
-            },
-        )
-        .equations(&["52", "55", "58", "69"])
-        .source(SOURCE)
-        .expect(Expected::Bound { largest: 0.01 })
-        .mutant(NO_DRAG),
-        Study::new(
-            "mixture/waves/damping/2d/f64",
-            "drag damps the diffusion of pore pressure and, with soft water, the fast wave as their linear \
-             equations say (values: relative error of the rate)",
-            move |c| {
-                let slow = in_table.equations().slow();
-                let fast = soft.equations().fast();
-                Measured::values([
-                    ("slow, c_f = 250 m/s", in_table.run(slow, 2.5, c).re / slow.re - 1.0),
-                    ("fast, c_f = 100 m/s", soft.run(fast, 2.5, c).re / fast.re - 1.0),
-                ])
-                .note(format!("exact rates {:.4} and {:.4} /s", slow.re, fast.re))
-            },
-        )
-        .equations(&["37", "52", "55", "58", "69"])
-        .source(SOURCE)
-        .expect(Expected::Bound { largest: 0.05 })
-        .mutant(TRUE_WEIGHT),
-        Study::new(
-            "mixture/waves/spurious damping/2d/f64",
-            "summed over a kernel, drag also smooths what soil and water do together, as a viscosity \
-             ν = m₂h²C_d/(ρ_s + ρ_f) does (value: damping of the fast wave of Table 3 beyond the exact, over \
-             ½νk²)",
-            move |c| {
-                let exact = in_table.equations().fast();
-                let found = in_table.run(exact, 2.5, c);
-                let more = exact.re - found.re;
-                let predicted = 0.5 * in_table.viscosity_of_drag() * WAVE_NUMBER * WAVE_NUMBER;
-                Measured::value(more / predicted).note(format!(
-                    "exact {:.4} /s, measured {:.4} /s, ½νk² = {predicted:.4} /s",
-                    -exact.re, -found.re
-                ))
-            },
-        )
-        .equations(&["37", "55", "58"])
-        .source("expansion of the kernel's sum, m₂ = 5/18 for Wendland C2 in two dimensions")
-        .expect(Expected::Value { value: 1.0, tolerance: 0.05 })
-        .mutant(TRUE_WEIGHT),
-    ]
+    vec![phase(), damping(), spurious_damping()]
+}
+
+/// The frequency of the fast wave.
+fn phase() -> Study {
+    Study::new(
+        "mixture/waves/phase/2d/f64",
+        "a compression wave of soil and water has the phase of their linear equations (values: relative \
+         error of the frequency)",
+        |c| {
+            Measured::values([("c_f = 250 m/s", IN_TABLE), ("c_f = 100 m/s", SOFT)].map(|(name, rock)| {
+                let exact = rock.equations().fast();
+                (name, rock.run(exact, 2.5, c).im / exact.im - 1.0)
+            }))
+        },
+    )
+    .equations(&["52", "55", "58", "69"])
+    .source(SOURCE)
+    .expect(Expected::Bound { largest: 0.01 })
+    .mutant(NO_DRAG)
+}
+
+/// What drag takes from the slow and the fast root.
+fn damping() -> Study {
+    Study::new(
+        "mixture/waves/damping/2d/f64",
+        "drag damps the diffusion of pore pressure and, with soft water, the fast wave as their linear \
+         equations say (values: relative error of the rate)",
+        |c| {
+            let slow = IN_TABLE.equations().slow();
+            let fast = SOFT.equations().fast();
+            Measured::values([
+                ("slow, c_f = 250 m/s", IN_TABLE.run(slow, 2.5, c).re / slow.re - 1.0),
+                ("fast, c_f = 100 m/s", SOFT.run(fast, 2.5, c).re / fast.re - 1.0),
+            ])
+            .note(format!("exact rates {:.4} and {:.4} /s", slow.re, fast.re))
+        },
+    )
+    .equations(&["37", "52", "55", "58", "69"])
+    .source(SOURCE)
+    .expect(Expected::Bound { largest: 0.05 })
+    .mutant(TRUE_WEIGHT)
+}
+
+/// What the width of the kernel adds to it.
+fn spurious_damping() -> Study {
+    Study::new(
+        "mixture/waves/spurious damping/2d/f64",
+        "summed over a kernel, drag also smooths what soil and water do together, as a viscosity \
+         ν = m₂h²C_d/(ρ_s + ρ_f) does (value: damping of the fast wave of Table 3 beyond the exact, over \
+         ½νk²)",
+        |c| {
+            let exact = IN_TABLE.equations().fast();
+            let found = IN_TABLE.run(exact, 2.5, c);
+            let more = exact.re - found.re;
+            let predicted = 0.5 * IN_TABLE.viscosity_of_drag() * WAVE_NUMBER * WAVE_NUMBER;
+            Measured::value(more / predicted).note(format!(
+                "exact {:.4} /s, measured {:.4} /s, ½νk² = {predicted:.4} /s",
+                -exact.re, -found.re
+            ))
+        },
+    )
+    .equations(&["37", "55", "58"])
+    .source("expansion of the kernel's sum, m₂ = 5/18 for Wendland C2 in two dimensions")
+    .expect(Expected::Value { value: 1.0, tolerance: 0.05 })
+    .mutant(TRUE_WEIGHT)
 }
 
 /// Wave number k \[1/m\].

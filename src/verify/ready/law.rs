@@ -34,84 +34,78 @@ const MISTAKES: [(&str, Mistake); 6] = [
 /// Its states are those that random strains of up to 1 % lead to, from no memory and, if it remembers
 /// stress, from up to a thousandth of ρ̃₀c² of it.
 pub fn law<T: Real, M: Material<T>>(name: &str, law: M) -> Vec<Study> {
-    let study = |what: &str, claim: &str, measure: fn(&MistakenLaw<M>) -> Measured, bars: [f64; 2]| {
-        let law = law.clone();
-        let run = move |conditions: &Conditions| {
-            let mistake = MISTAKES.iter().find(|(name, _)| conditions.is(name)).map(|found| found.1);
-            measure(&MistakenLaw { law: law.clone(), mistake })
-        };
-        let largest = by_precision::<T, _>(bars[0], bars[1]);
-        Study::new(format!("{name}/{what}"), claim, run).expect(Expected::Bound { largest })
-    };
-    // A mutant is named where it makes a difference.
-    let with = |study: Study, mutant, differs: bool| if differs { study.mutant(mutant) } else { study };
-    let remembers = remembers_stress::<T, M>(&law);
-    let objectivity = study(
-        "objectivity",
-        "stress turns with matter that is turned, and so does its answer to strain",
-        objectivity::<T, M>,
-        [1e-11, 2e-5],
-    )
-    .equations(&["33", "34", "35"])
-    .source("exact: R σ Rᵀ");
-    let admitted =
-        study("admitted", "what is admitted once is not changed again", admitted::<T, M>, [1e-10, 1e-4])
-            .source("nearest to itself is what is admissible");
-    let losses = study("losses", "no loss is negative, as a part of the work", losses::<T, M>, [1e-11, 1e-4])
-        .source("second law of thermodynamics");
-    let mut studies = vec![
-        with(objectivity, SPIN, remembers),
-        with(admitted, HALFWAY, moves::<T, M>(&law)),
-        with(losses, LOSS, loses::<T, M>(&law)),
-    ];
+    let mut studies = every_law::<T, M>(name, &law);
     if !M::RIGID_GRAINS {
-        let inverse = study(
-            "inverse",
-            "the compression is the inverse of the pressure",
-            inverse::<T, M>,
-            [1e-11, 5e-4],
-        );
-        let work = study(
-            "pressure work",
-            "the stored energy E is the work of pressure: dE/de = p/(ρ̃₀ (1 + e)²)",
-            pressure_work::<T, M>,
-            [1e-9, 2e-4],
-        );
-        studies
-            .extend([inverse.mutant(COMPRESSION), work.source("Gauss-Legendre quadrature").mutant(ENERGY)]);
-        if bears_suction::<T, M>(&law) {
-            studies.push(
-                study(
-                    "hydrostatic",
-                    "the hydrostatic slope and its bend are those of dp = ρ̃ d(g·x)",
-                    standing::<T, M>,
-                    [1e-3, 2e-2],
-                )
-                .source("differences of the pressure"),
-            );
-        }
+        studies.extend(compressible::<T, M>(name, &law));
     }
-    if remembers {
-        studies.push(
-            study(
-                "elastic work",
-                "the work of small strain is stored or lost, as a part of it",
-                elastic_work::<T, M>,
-                [1e-9, 2e-4],
-            )
-            .source("conservation of energy")
-            .mutant(ENERGY),
-        );
+    if remembers_stress::<T, M>(&law) {
+        let claim = "the work of small strain is stored or lost, as a part of it";
+        let work = study::<T, M>(name, &law, "elastic work", claim, elastic_work::<T, M>, [1e-9, 2e-4]);
+        studies.push(work.source("conservation of energy").mutant(ENERGY));
     }
     if core::mem::size_of::<M::Memory>() > 0 && law.kinematic_viscosity() == T::ZERO {
-        let rate = study(
-            "rate",
-            "a path gives the same stress however fast it is gone",
-            rate::<T, M>,
-            [1e-10, 1e-4],
-        )
-        .source("a law without viscosity knows no time");
-        studies.push(with(rate, VISCOUS, remembers));
+        let claim = "a path gives the same stress however fast it is gone";
+        let rate = study::<T, M>(name, &law, "rate", claim, rate::<T, M>, [1e-10, 1e-4])
+            .source("a law without viscosity knows no time");
+        studies.push(naming(rate, VISCOUS, remembers_stress::<T, M>(&law)));
+    }
+    studies
+}
+
+/// A study that bounds what `measure` finds on the law, in `f64` and `f32`.
+fn study<T: Real, M: Material<T>>(
+    name: &str,
+    law: &M,
+    what: &str,
+    claim: &str,
+    measure: fn(&MistakenLaw<M>) -> Measured,
+    bars: [f64; 2],
+) -> Study {
+    let law = law.clone();
+    let run = move |conditions: &Conditions| {
+        let mistake = MISTAKES.iter().find(|(name, _)| conditions.is(name)).map(|found| found.1);
+        measure(&MistakenLaw { law: law.clone(), mistake })
+    };
+    let largest = by_precision::<T, _>(bars[0], bars[1]);
+    Study::new(format!("{name}/{what}"), claim, run).expect(Expected::Bound { largest })
+}
+
+/// Names a mutant where it makes a difference.
+fn naming(study: Study, mutant: &'static str, differs: bool) -> Study {
+    if differs { study.mutant(mutant) } else { study }
+}
+
+/// What every law must be.
+fn every_law<T: Real, M: Material<T>>(name: &str, law: &M) -> Vec<Study> {
+    let claim = "stress turns with matter that is turned, and so does its answer to strain";
+    let objectivity = study::<T, M>(name, law, "objectivity", claim, objectivity::<T, M>, [1e-11, 2e-5])
+        .equations(&["33", "34", "35"])
+        .source("exact: R σ Rᵀ");
+    let claim = "what is admitted once is not changed again";
+    let admitted = study::<T, M>(name, law, "admitted", claim, admitted::<T, M>, [1e-10, 1e-4])
+        .source("nearest to itself is what is admissible");
+    let claim = "no loss is negative, as a part of the work";
+    let losses = study::<T, M>(name, law, "losses", claim, losses::<T, M>, [1e-11, 1e-4])
+        .source("second law of thermodynamics");
+    vec![
+        naming(objectivity, SPIN, remembers_stress::<T, M>(law)),
+        naming(admitted, HALFWAY, moves::<T, M>(law)),
+        naming(losses, LOSS, loses::<T, M>(law)),
+    ]
+}
+
+/// What a law of matter that can be compressed must be.
+fn compressible<T: Real, M: Material<T>>(name: &str, law: &M) -> Vec<Study> {
+    let claim = "the compression is the inverse of the pressure";
+    let inverse = study::<T, M>(name, law, "inverse", claim, inverse::<T, M>, [1e-11, 5e-4]);
+    let claim = "the stored energy E is the work of pressure: dE/de = p/(ρ̃₀ (1 + e)²)";
+    let work = study::<T, M>(name, law, "pressure work", claim, pressure_work::<T, M>, [1e-9, 2e-4]);
+    let mut studies =
+        vec![inverse.mutant(COMPRESSION), work.source("Gauss-Legendre quadrature").mutant(ENERGY)];
+    if bears_suction::<T, M>(law) {
+        let claim = "the hydrostatic slope and its bend are those of dp = ρ̃ d(g·x)";
+        let standing = study::<T, M>(name, law, "hydrostatic", claim, standing::<T, M>, [1e-3, 2e-2]);
+        studies.push(standing.source("differences of the pressure"));
     }
     studies
 }
