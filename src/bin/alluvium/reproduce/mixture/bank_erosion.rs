@@ -1,13 +1,11 @@
 //! Water flows over a saturated bank and down its face, and takes sand along.
 
-use super::{Look, Scene, closure_bar, dumps, range, run};
+use super::{Flow, Look, dumps, range, run};
 use crate::arguments::{PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
 use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
-use crate::reproduce::results::Results;
-use crate::solver::quantity;
 use alluvium::verify::Parcel;
 use core::fmt::Write;
 
@@ -39,28 +37,19 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let watched = run(&options.name, &text(options, spacing), &options.output)?;
     let more =
         format!(" {SPEED} m/s, {DEPTH} m deep, over sand of {FRICTION_ANGLE}°, k = {CONDUCTIVITY} m/s.");
-    let title = "Erosion of a bank by water that flows over it";
-    let head = head::of_report(title, "soil and water", &watched.case, &watched.finished, &more);
     let mut bars = Bars::default();
     measure(&mut bars, &watched.looks);
-    let drawn: Vec<&Look> = DRAWN.iter().filter_map(|&n| watched.looks.get(n)).collect();
-    let scene = Scene { looks: drawn, window: ([0.0, 0.0], [FLOOR, 0.2]), spacing };
-    let flow = scene.water("speed of the water [m/s]", (0.0, 1.6), Parcel::speed);
-    let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.65), |it| 1.0 - it.fraction);
-    let (strain, surface) = (scene.plastic_strain(), scene.surfaces("Bank: the surface of the soil"));
-    let mut results = Results::of(watched.finished)?;
-    let last = |name: &str| results.history.column(name).ok().and_then(|column| column.last().copied());
-    if let Some(came) = last(&format!("{}inflow [J]", quantity::TAKEN)) {
-        bars.add("energy the inflow brought", format!("{:.2} J", -came), "none", None);
-    }
-    results.picture("flow", &flow)?;
-    results.picture("soil_fraction", &fraction)?;
-    results.picture("plastic_strain", &strain)?;
-    results.picture("surface", &surface)?;
-    results.picture("eroded", &lost(&watched.looks))?;
-    closure_bar(&mut bars, &results.ledger);
-    results.energy("Bank")?;
-    results.conclude(&(head + &bars.markdown()))
+    let own = ("eroded", lost(&watched.looks));
+    let flow = Flow {
+        title: "Erosion of a bank by water that flows over it",
+        more: &more,
+        name: "Bank",
+        window: [FLOOR, 0.2],
+        spacing,
+        drawn: &DRAWN,
+        fastest: 1.6,
+    };
+    flow.present(watched, bars, own)
 }
 
 /// Height of the bank at x \[m\], in whole spacings.

@@ -8,12 +8,14 @@ pub mod settling;
 pub mod submerged_collapse;
 
 use super::bars::Bars;
+use super::head;
 use super::ledger::Ledger;
+use super::results::Results;
 use crate::arguments::{OutputOptions, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Chart, Panel, ParticlePicture, Series};
 use crate::run::{Finished, run_case};
-use crate::solver::Parcels;
+use crate::solver::{Parcels, quantity};
 use alluvium::case::Case;
 use alluvium::verify::Parcel;
 use alluvium::verify::sand_column::{Pile, Section};
@@ -102,6 +104,49 @@ fn rms_speed(parcels: &[Parcel]) -> f64 {
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = values.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
     sum / count
+}
+
+/// Soil that water carries off or stands over: what is told and drawn of it.
+struct Flow<'a> {
+    title: &'a str,
+    /// Of the set-up, behind the title.
+    more: &'a str,
+    /// In the titles of charts.
+    name: &'a str,
+    /// Upper right corner of the pictures \[m\].
+    window: [f64; 2],
+    spacing: f64,
+    /// Numbers of the dumps that are drawn.
+    drawn: &'a [usize],
+    /// Speed at the end of the colours \[m/s\].
+    fastest: f64,
+}
+
+impl Flow<'_> {
+    /// Writes the report, with these bars, and the pictures, with one of its own and its file's name.
+    fn present(&self, watched: Watched, mut bars: Bars, (file, own): (&str, String)) -> Result<(), Failure> {
+        let head = head::of_report(self.title, "soil and water", &watched.case, &watched.finished, self.more);
+        let looks: Vec<&Look> = self.drawn.iter().filter_map(|&n| watched.looks.get(n)).collect();
+        let scene = Scene { looks, window: ([0.0, 0.0], self.window), spacing: self.spacing };
+        let flow = scene.water("speed of the water [m/s]", (0.0, self.fastest), Parcel::speed);
+        let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.65), |it| 1.0 - it.fraction);
+        let (strain, surface) =
+            (scene.plastic_strain(), scene.surfaces(&format!("{}: the surface of the soil", self.name)));
+        let mut results = Results::of(watched.finished)?;
+        let column = results.history.column(&format!("{}inflow [J]", quantity::TAKEN));
+        let came = column.ok().and_then(|column| column.last().copied()).filter(|came| *came != 0.0);
+        if let Some(came) = came {
+            bars.add("energy the inflow brought", format!("{:.2} J", -came), "none", None);
+        }
+        results.picture("flow", &flow)?;
+        results.picture("soil_fraction", &fraction)?;
+        results.picture("plastic_strain", &strain)?;
+        results.picture("surface", &surface)?;
+        results.picture(file, &own)?;
+        closure_bar(&mut bars, &results.ledger);
+        results.energy(self.name)?;
+        results.conclude(&(head + &bars.markdown()))
+    }
 }
 
 /// Pictures of a window at some instants.

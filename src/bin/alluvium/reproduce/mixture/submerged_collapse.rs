@@ -1,13 +1,11 @@
 //! A column of sand collapses under water.
 
-use super::{Look, Scene, closure_bar, dumps, range, run};
+use super::{Flow, Look, dumps, range, run};
 use crate::arguments::{PresetName, ReproduceOptions};
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
 use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
-use crate::reproduce::results::Results;
-use alluvium::verify::Parcel;
 
 const SPACING: f64 = 0.005;
 /// Tank, water and column \[m\].
@@ -27,24 +25,19 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let spacing = options.spacing.unwrap_or(if options.quick { 2.0 * SPACING } else { SPACING });
     let watched = run(&options.name, &text(options, spacing), &options.output)?;
     let more = format!(" Friction angle {FRICTION_ANGLE}°, k = 0.01 m/s.");
-    let title = "Collapse of a column of sand under water";
-    let head = head::of_report(title, "soil and water", &watched.case, &watched.finished, &more);
     let mut bars = Bars::default();
     measure(&mut bars, &watched.looks);
-    let drawn: Vec<&Look> = DRAWN.iter().filter_map(|&n| watched.looks.get(n)).collect();
-    let scene = Scene { looks: drawn, window: ([0.0, 0.0], TANK), spacing };
-    let flow = scene.water("speed of the water [m/s]", (0.0, 0.4), Parcel::speed);
-    let fraction = scene.water("volume fraction of soil [-]", (0.0, 0.65), |it| 1.0 - it.fraction);
-    let (strain, surface) = (scene.plastic_strain(), scene.surfaces("Collapse under water: the surface"));
-    let mut results = Results::of(watched.finished)?;
-    results.picture("flow", &flow)?;
-    results.picture("soil_fraction", &fraction)?;
-    results.picture("plastic_strain", &strain)?;
-    results.picture("surface", &surface)?;
-    results.picture("front", &front(&watched.looks))?;
-    closure_bar(&mut bars, &results.ledger);
-    results.energy("Collapse under water")?;
-    results.conclude(&(head + &bars.markdown()))
+    let own = ("front", front(&watched.looks));
+    let flow = Flow {
+        title: "Collapse of a column of sand under water",
+        more: &more,
+        name: "Collapse under water",
+        window: TANK,
+        spacing,
+        drawn: &DRAWN,
+        fastest: 0.4,
+    };
+    flow.present(watched, bars, own)
 }
 
 fn text(options: &ReproduceOptions, spacing: f64) -> String {
