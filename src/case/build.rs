@@ -142,6 +142,9 @@ impl Case {
         if let Some(domain) = &self.domain {
             mixture = mixture.with_domain(array(&domain.low), array(&domain.high))?;
         }
+        if self.particles.gradient_correction {
+            mixture = mixture.with_gradient_correction();
+        }
         let mixture = mixture
             .with_gravity(vector(&self.gravity))
             .with_gradient_weight(self.preset.gradient_weight())

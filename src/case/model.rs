@@ -112,6 +112,8 @@ pub struct Particles {
     pub smoothing_ratio: f64,
     /// Kernel.
     pub kernel: KernelChoice,
+    /// Whether gradients are made exact for linear fields.
+    pub gradient_correction: bool,
 }
 
 /// A box with walls on its sides, outside the box.

@@ -99,6 +99,7 @@ impl Context<'_, '_> {
                 .number("smoothing_ratio", from_to(1.0, 4.0, "h/Δx; below 1 there are too few neighbours"))
                 .unwrap_or_else(|| self.smoothing_ratio(shared)),
             kernel: section.choice("kernel").unwrap_or(self.defaults.kernel),
+            gradient_correction: section.flag("gradient_correction").unwrap_or(false),
         };
         section.finish();
         particles

@@ -33,6 +33,7 @@ impl fmt::Display for Case {
         writeln!(f, "spacing_m = {:?}", self.particles.spacing)?;
         writeln!(f, "smoothing_ratio = {:?}", self.particles.smoothing_ratio)?;
         writeln!(f, "kernel = \"{}\"", self.particles.kernel)?;
+        writeln!(f, "gradient_correction = {}", self.particles.gradient_correction)?;
         self.soil.iter().try_for_each(|each| soil::soil(f, each))?;
         self.water.iter().try_for_each(|each| water::water(f, each))?;
         self.mixing.iter().try_for_each(|each| mixing::mixing(f, each))?;

@@ -2,11 +2,13 @@
 //! ones say where, what and what is allowed.
 
 use crate::case_soil::{Mistake, each_is_named, read};
+use crate::fingerprint;
 use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, DragLaw, Ergun, Forchheimer, KozenyCarman, NoDrag, PoreFluid};
 use alluvium::mixture::{CouplingForm, DragScheme, Mixture, Slip, WallKind};
-use alluvium::time::{Evolve, LeapFrog, Limit};
+use alluvium::simulation::Simulation;
+use alluvium::time::{Evolve, LeapFrog, Limit, StepSize};
 
 /// A jet on a saturated bed.
 const JET: &str = include_str!("../../examples/jet.toml");
@@ -87,6 +89,11 @@ const MISTAKES: &[Mistake] = &[
     Mistake { from: "high_m = [1e6, -0.2]", to: "high_m = [1e6, -1e7]", key: "outlet[1].high_m[2]", value: "-1e7", what: "is not above low_m", allowed: "above -1000000.0" },
     Mistake { from: "open = [\"+y\"]", to: "open = [\"+y\"]\nwater_slip = \"friction\"", key: "tank.water_slip", value: "\"friction\"", what: "is for soil", allowed: "\"free-slip\"" },
     Mistake { from: "high_m = [0.45, 0.18]\nopen", to: "high_m = [0.45, 0.18]\nobstacle = [{ low_m = [0.1, 0.1], high_m = [0.5, 0.18] }]\nopen", key: "tank.obstacle[1].high_m[1]", value: "0.5", what: "is outside the tank", allowed: "0.45" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\nprojected_drag = true\ndrag_scheme = \"backward-euler\"\n", key: "mixture.projected_drag", value: "true", what: "contradicts drag_scheme = \"backward-euler\"", allowed: "\"explicit\"" },
+    Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nprojected_drag = true\n", key: "mixture.projected_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
+    Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nnormalised_drag = true\n", key: "mixture.normalised_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\nnormalised_drag = 1\n", key: "mixture.normalised_drag", value: "1", what: "is a whole number", allowed: "true or false" },
+    Mistake { from: "[particles]\n", to: "[particles]\ngradient_correction = \"Bonet-Lok\"\n", key: "particles.gradient_correction", value: "\"Bonet-Lok\"", what: "is a text", allowed: "true or false" },
     Mistake { from: "[[soil.block]]\n", to: "[[soil.block]]\nheld = \"yes\"\n", key: "soil.block[1].held", value: "\"yes\"", what: "is a text", allowed: "true or false" },
 ];
 
@@ -100,6 +107,55 @@ fn every_mistake_is_named() {
         error.problems.iter().any(|p| p.key == "mixture" && p.what.contains("nothing to couple")),
         "{error}"
     );
+}
+
+/// What changes a mixture's numbers, as a key, in the table and in the library.
+#[rustfmt::skip]
+#[allow(clippy::type_complexity)]
+const CHOICES: &[(&str, &str, fn(Jet) -> Jet)] = &[
+    ("[particles]", "gradient_correction = true", |mixture| mixture.with_gradient_correction()),
+    ("[mixture]", "normalised_drag = true", |mixture| mixture.with_normalised_drag()),
+    ("[mixture]", "projected_drag = true", |mixture| mixture.with_projected_drag()),
+];
+
+type Jet = Mixture<f64, 2, WendlandC2<f64, 2>, SoilLaw<f64>>;
+
+#[test]
+fn a_choice_in_the_case_is_that_of_the_library() {
+    // A thousandth of a second on, when particles are off their lattices.
+    let bits = |mixture: Jet| {
+        let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::fixed(1e-5).unwrap());
+        for _ in 0..40 {
+            run.step().unwrap();
+        }
+        fingerprint::hash(run.mixture())
+    };
+    let plain = bits(mixture(JET));
+    for (table, key, chosen) in CHOICES {
+        let text = JET.replacen(table, &format!("{table}\n{key}"), 1);
+        let case = read(&text).0;
+        assert_eq!(read(&case.to_string()).0, case, "{key}");
+        assert!(case.to_string().contains(key), "{key}");
+        let found = bits(mixture(&text));
+        assert_eq!(found, bits(chosen(mixture(JET))), "{key}");
+        assert_ne!(found, plain, "{key}");
+    }
+    let projected =
+        JET.replacen("[mixture]", "[mixture]\nprojected_drag = true\ndrag_scheme = \"automatic\"", 1);
+    let clay = read(&projected.replace("5e-4", "1e-8")).0.drag_plan().unwrap();
+    assert_eq!(clay.scheme, DragScheme::Explicit);
+    assert!(clay.why.contains("is not solved"), "{}", clay.why);
+}
+
+#[test]
+fn every_key_of_mixtures_is_documented() {
+    let text = include_str!("../../docs/case-format.md");
+    for case in [JET, TUBE] {
+        for line in read(case).0.to_string().lines().filter(|line| line.contains(" = ")) {
+            let key = line.split(" = ").next().unwrap();
+            assert!(text.contains(&format!("{key} = ")) || text.contains(&format!("`{key}`")), "{key}");
+        }
+    }
 }
 
 /// The jet with another law of drag, in water of this viscosity.

@@ -18,6 +18,12 @@ impl Mixing {
         if self.relaxation_time > 0.0 {
             mixture = mixture.with_density_relaxation(T::of(self.relaxation_time))?;
         }
+        if self.normalised_drag {
+            mixture = mixture.with_normalised_drag();
+        }
+        if self.projected_drag {
+            mixture = mixture.with_projected_drag();
+        }
         let scheme = case.drag_plan().map_or(DragScheme::Explicit, |plan| plan.scheme);
         with_scheme(mixture, scheme)
     }

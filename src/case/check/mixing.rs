@@ -1,6 +1,7 @@
 //! How soil and water share their space, and whether openings and obstacles fit.
 
-use crate::case::model::{Case, Inflow, Region, Tank};
+use crate::case::choice::SchemeChoice;
+use crate::case::model::{Case, Drag, Inflow, Mixing, Region, Tank};
 use crate::case::reader::Reader;
 
 pub(super) fn mixing(reader: &Reader<'_>, case: &Case) {
@@ -18,6 +19,9 @@ pub(super) fn mixing(reader: &Reader<'_>, case: &Case) {
         let why = "leaves the law of drag without the viscosity it needs";
         reader.error("water.viscosity_pa_s", why, "a number above 0.0 [Pa s]; 0.001 is water");
     }
+    if let Some(mixing) = &case.mixing {
+        drag(reader, mixing);
+    }
     for (n, inflow) in case.water.iter().flat_map(|water| &water.inflows).enumerate() {
         long_enough(reader, case, n, inflow);
     }
@@ -27,6 +31,23 @@ pub(super) fn mixing(reader: &Reader<'_>, case: &Case) {
         if let Some(tank) = &case.tank {
             inside(reader, case, &path, obstacle, tank);
         }
+    }
+}
+
+/// What drag is to be, against its law and how it goes through a step.
+fn drag(reader: &Reader<'_>, mixing: &Mixing) {
+    for (key, given) in [
+        ("mixture.normalised_drag", mixing.normalised_drag),
+        ("mixture.projected_drag", mixing.projected_drag),
+    ] {
+        if given && mixing.drag == Drag::None {
+            reader.error(key, "contradicts drag = \"none\"", "false, or another drag");
+        }
+    }
+    let is_solved = matches!(mixing.drag_scheme, SchemeChoice::BackwardEuler | SchemeChoice::SecondOrder);
+    if mixing.projected_drag && is_solved {
+        let why = format!("contradicts drag_scheme = \"{}\", which cannot solve it", mixing.drag_scheme);
+        reader.error("mixture.projected_drag", &why, "false, or drag_scheme = \"explicit\", \"automatic\"");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::case::build::at_rest;
 use crate::case::choice::InitialStress;
-use crate::case::model::{Case, Soil, SoilBody, Stiffness, Walls, upright};
+use crate::case::model::{Case, Soil, SoilBody, Stiffness, Strength, Walls, upright};
 use crate::case::reader::Reader;
 use crate::material::{Elasticity, YieldSurface};
 use crate::mixture::Slip;
@@ -16,6 +16,14 @@ pub(super) fn soil(reader: &Reader<'_>, case: &Case, soil: &Soil) {
         return; // values out of range have been told
     };
     settlement(reader, case, soil, &elasticity);
+    if case.particles.gradient_correction && soil.strength == Strength::Elastic && case.water.is_none() {
+        let why = "lets free bodies of soil that does not yield lose their corners";
+        reader.warning(
+            "particles.gradient_correction",
+            why,
+            "false, but for bodies that are held all around",
+        );
+    }
     let rests = |body: &SoilBody| body.initial_stress == InitialStress::Geostatic;
     for (path, body) in soil.named_bodies().filter(|(_, body)| rests(body)) {
         lateral(reader, case, soil, &surface, &path, body);

@@ -15,6 +15,10 @@ pub struct Mixing {
     pub drag: Drag,
     /// How drag goes through a time step.
     pub drag_scheme: SchemeChoice,
+    /// Whether the weights of drag add up to one around each soil particle.
+    pub normalised_drag: bool,
+    /// Whether drag acts along the line between the particles of a pair.
+    pub projected_drag: bool,
 }
 
 /// A box.

@@ -41,7 +41,14 @@ impl Context<'_, '_> {
         let drag = self.drag(section, soil);
         let usual = if is_paper { SchemeChoice::Explicit } else { SchemeChoice::Automatic };
         let drag_scheme = section.choice("drag_scheme").unwrap_or(usual);
-        let mixing = Mixing { coupling, relaxation_time, drag, drag_scheme };
+        let mixing = Mixing {
+            coupling,
+            relaxation_time,
+            drag,
+            drag_scheme,
+            normalised_drag: section.flag("normalised_drag").unwrap_or(false),
+            projected_drag: section.flag("projected_drag").unwrap_or(false),
+        };
         section.finish();
         Some(mixing)
     }

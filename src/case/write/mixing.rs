@@ -9,7 +9,9 @@ pub(super) fn mixing(f: &mut fmt::Formatter<'_>, mixing: &Mixing) -> fmt::Result
     writeln!(f, "\n[mixture]\ncoupling = \"{}\"", mixing.coupling.word())?;
     writeln!(f, "density_relaxation_s = {:?}", mixing.relaxation_time)?;
     drag(f, &mixing.drag)?;
-    writeln!(f, "drag_scheme = \"{}\"", mixing.drag_scheme)
+    writeln!(f, "drag_scheme = \"{}\"", mixing.drag_scheme)?;
+    writeln!(f, "normalised_drag = {}", mixing.normalised_drag)?;
+    writeln!(f, "projected_drag = {}", mixing.projected_drag)
 }
 
 fn drag(f: &mut fmt::Formatter<'_>, drag: &Drag) -> fmt::Result {
