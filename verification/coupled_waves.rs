@@ -6,10 +6,10 @@ use crate::soil::along;
 use crate::water::periodic;
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, Elasticity, Soil, Unyielding, Water};
-use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture, Phase};
+use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, DragScheme, Mixture, Phase};
 use alluvium::simulation::Simulation;
 use alluvium::time::{StepSize, VelocityVerlet};
-use alluvium::verify::{Conditions, Expected, Measured, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 use alluvium::{SymTensor, Vector, setup};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
@@ -18,6 +18,7 @@ use nalgebra::{Complex, Matrix4, Vector4};
 const SOURCE: &str = "eigenvalues of the linear equations of soil and water for one wave number";
 const TRUE_WEIGHT: &str = "γ_w with the true density";
 const NO_DRAG: &str = "no drag";
+const PLAIN: &str = "slips of the particles of a pair";
 
 /// Densities of grains and water \[kg/m³\], fraction of soil \[-\], conductivity \[m/s\], moduli of Table 3.
 const GRAINS: f64 = 2700.0;
@@ -33,17 +34,25 @@ const SMOOTHING: f64 = 0.005;
 /// Smoothing length over spacing, and rows across the strip.
 const RATIO: f64 = 2.0;
 const ROWS: f64 = 9.0;
+/// c Δt/h.
+const COURANT: f64 = 0.2;
 /// Of the largest velocity \[m/s\].
 const AMPLITUDE: f64 = 1e-4;
 /// Second moment of the kernel over h², Wendland C2 in two dimensions.
 const SECOND_MOMENT: f64 = 5.0 / 18.0;
 
 /// Table 3, and the same with softer water.
-const IN_TABLE: Rock = Rock { sound_speed: 250.0 };
-const SOFT: Rock = Rock { sound_speed: 100.0 };
+const IN_TABLE: Rock = Rock { sound_speed: 250.0, conductivity: CONDUCTIVITY, summed: Summed::Plain };
+const SOFT: Rock = Rock { sound_speed: 100.0, ..IN_TABLE };
 
 pub fn studies() -> Vec<Study> {
-    vec![phase(), damping(), spurious_damping()]
+    vec![
+        phase(),
+        damping(),
+        spurious_damping(),
+        decades("two", &[5e-3, 5e-4]),
+        decades("eight", &[1e1, 1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7]).level(Level::Full),
+    ]
 }
 
 /// The frequency of the fast wave.
@@ -111,6 +120,41 @@ fn spurious_damping() -> Study {
     .mutant(TRUE_WEIGHT)
 }
 
+/// Damping of the fast wave over decades of conductivity, with drag of reconstructed velocities.
+fn decades(count: &str, conductivities: &'static [f64]) -> Study {
+    Study::new(
+        format!("mixture/waves/reconstructed drag/{count} decades/2d/f64"),
+        "drag of velocities reconstructed between particles damps the fast wave as the linear equations say, \
+         however low the conductivity (values: damping beyond the exact, over the frequency)",
+        move |c| {
+            let mut notes = Vec::new();
+            let mut value = |conductivity: f64| {
+                let plain = Rock { conductivity, ..IN_TABLE };
+                let rock = if c.is(PLAIN) { plain } else { Rock { summed: Summed::Reconstructed, ..plain } };
+                let exact = rock.equations().fast();
+                let found = rock.run(exact, 2.5, c);
+                let predicted = 0.5 * rock.viscosity_of_drag() * WAVE_NUMBER * WAVE_NUMBER;
+                let without = match predicted < 0.3 * exact.im && !c.is(PLAIN) {
+                    true => format!("{:.4e} /s", -plain.run(exact, 2.5, c).re),
+                    false => "not run".to_owned(),
+                };
+                notes.push(format!(
+                    "k = {conductivity:e} m/s: exact {:.4e} /s, reconstructed {:.4e} /s, plain {without} (½νk² = \
+                     {predicted:.4e} /s)",
+                    -exact.re, -found.re
+                ));
+                (format!("k = {conductivity:e} m/s"), (exact.re - found.re) / exact.im)
+            };
+            let measured = Measured::values(conductivities.iter().map(|&k| value(k)).collect::<Vec<_>>());
+            notes.into_iter().fold(measured, Measured::note)
+        },
+    )
+    .equations(&["37", "55", "58"])
+    .source(SOURCE)
+    .expect(Expected::Bound { largest: 2e-5 })
+    .mutant(PLAIN)
+}
+
 /// Wave number k \[1/m\].
 const WAVE_NUMBER: f64 = 2.0 * PI / LENGTH;
 
@@ -118,6 +162,18 @@ const WAVE_NUMBER: f64 = 2.0 * PI / LENGTH;
 #[derive(Clone, Copy)]
 struct Rock {
     sound_speed: f64,
+    /// k \[m/s\].
+    conductivity: f64,
+    summed: Summed,
+}
+
+/// Which slip drag is summed with.
+#[derive(Clone, Copy, PartialEq)]
+enum Summed {
+    /// That of the particles of a pair.
+    Plain,
+    /// Reconstructed between them.
+    Reconstructed,
 }
 
 /// dy/dt = A y for the amplitudes y of velocities of soil and water (sine), pore pressure and stress of the
@@ -134,7 +190,7 @@ impl Rock {
 
     /// C_d (37) \[kg/m³/s\].
     fn drag(self) -> f64 {
-        (1.0 - FRACTION).powi(2) * WATER * GRAVITY / CONDUCTIVITY // (37)
+        (1.0 - FRACTION).powi(2) * WATER * GRAVITY / self.conductivity // (37)
     }
 
     /// ν = m₂h²C_d/(ρ_s + ρ_f) \[m²/s\].
@@ -194,15 +250,28 @@ impl Rock {
         if conditions.is(NO_DRAG) {
             return mixture;
         }
-        let right = Darcy::new(Conductivity::new(CONDUCTIVITY).expect("a conductivity"));
-        mixture.with_drag(Powered { right, power: if conditions.is(TRUE_WEIGHT) { 1 } else { 2 } })
+        let right = Darcy::new(Conductivity::new(self.conductivity).expect("a conductivity"));
+        let power = if conditions.is(TRUE_WEIGHT) { 1 } else { 2 };
+        let mixture = self.solved(mixture.with_drag(Powered { right, power }));
+        match self.summed {
+            Summed::Plain => mixture,
+            Summed::Reconstructed => mixture.with_reconstructed_drag(),
+        }
+    }
+
+    /// Drag solved over the step where it is too stiff to be evaluated.
+    fn solved(self, mixture: Waves) -> Waves {
+        let (rho_s, rho_f) = (FRACTION * GRAINS, (1.0 - FRACTION) * WATER);
+        let stopping_time = rho_s * rho_f / (self.drag() * (rho_s + rho_f));
+        let step = COURANT * SMOOTHING / (self.elasticity().plane_wave_modulus() / GRAINS).sqrt();
+        if step < 0.4 * stopping_time { mixture } else { mixture.with_drag_scheme(DragScheme::BackwardEuler) }
     }
 
     /// The root \[1/s\] that is observed over so many periods, or decay times, of this one.
     fn run(self, root: Complex<f64>, times: f64, conditions: &Conditions) -> Complex<f64> {
         let left = self.equations().left(root);
         let end = times * if root.im > 0.0 { 2.0 * PI / root.im } else { -1.0 / root.re };
-        let step = StepSize::courant(0.2).expect("a number");
+        let step = StepSize::courant(COURANT).expect("a number");
         let mut run = Simulation::new(self.mixture(root, conditions), VelocityVerlet::new(), step);
         let (mut sizes, mut turns) = (Series::new(), Series::new());
         let (mut turn, mut last) = (0.0, None);

@@ -25,6 +25,7 @@ use crate::material::Material;
 use crate::real::{Num, Real};
 use crate::space::Vector;
 use crate::summation::{MOST, Neighbourhood, PairFormula, Record, Sums, add_vector, number, vector};
+use crate::time::Moment;
 
 /// How the pore pressure acts between water and soil.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -148,7 +149,10 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         soil: &mut Constituent<T, D, S>,
         water: &mut Constituent<T, D, F>,
     ) {
-        self.drag.find_slip(&mut self.across, &setting.kernel, &soil.phase, &water.phase);
+        if self.drag.is_evaluated && !self.drag.is_reconstructed {
+            let phases = (&soil.phase, &water.phase);
+            self.drag.find_slip(&mut self.across, &setting.kernel, phases, Moment::Now);
+        }
         self.sum_exchange(&setting.kernel, soil, water);
         if self.drag.is_projected {
             self.project_drag(&setting.kernel, &soil.phase, &water.phase);
@@ -156,6 +160,9 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         self.drag.rate.clear();
         self.push_soil(soil);
         self.push_water(water);
+        if self.drag.is_reconstructed && self.drag.is_evaluated {
+            self.push_reconstructed(&setting.kernel, soil, water);
+        }
         if self.drag.is_evaluated {
             self.drag.find_limit(&self.across, &water.phase);
         }
@@ -187,7 +194,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             record[D + 1] = water.volume(a);
             record[D + 2] = water.pressure[a];
             record[D + 3] = T::ZERO;
-            record[D + 4] = if drag.is_projected { T::ZERO } else { drag.coefficient(water, a) };
+            record[D + 4] = if drag.is_elsewhere() { T::ZERO } else { drag.coefficient(water, a) };
             record[D + 5] = T::ONE;
         };
         let formula = Exchange::<K, D> { kernel: kernel.clone() };
@@ -259,6 +266,21 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         water.exchange_rate.taken[Account::WallExtrapolation] -= self.pores.extrapolation_power;
     }
 
+    /// Drag of reconstructed velocities.
+    fn push_reconstructed<K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+        &mut self,
+        kernel: &K,
+        soil: &mut Constituent<T, D, S>,
+        water: &mut Constituent<T, D, F>,
+    ) {
+        let drag = self.reconstruct_drag(kernel, soil, water, (Moment::Now, true));
+        let [on_soil, on_water] = drag.acceleration;
+        add_all(&mut soil.phase.rate.acceleration, &on_soil);
+        add_all(&mut water.phase.rate.acceleration, &on_water);
+        self.drag.rate = drag.rate.concat();
+        water.exchange_rate.taken[Account::Drag] += drag.power;
+    }
+
     /// Acceleration \[m/s²\] of the particle in row `i` by the other constituent, and how fast drag acts on it
     /// \[1/s\]. `weight` is w/m, `density` partial: V/m = 1/ρ.
     fn push(&self, i: usize, weight: T, density: T) -> (Vector<T, D>, T) {
@@ -272,5 +294,11 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     /// Bytes held.
     pub(super) fn bytes(&self) -> usize {
         self.across.bytes() + self.sums.bytes() + self.drag.bytes()
+    }
+}
+
+fn add_all<T: Real, const D: usize>(into: &mut [Vector<T, D>], terms: &[Vector<T, D>]) {
+    for (sum, term) in into.iter_mut().zip(terms) {
+        *sum += *term;
     }
 }

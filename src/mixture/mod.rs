@@ -27,6 +27,7 @@ mod phase;
 mod pore;
 mod probe;
 mod projected_drag;
+mod reconstructed_drag;
 mod regularisation;
 mod reinitialisation;
 mod relaxation;
@@ -277,6 +278,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
         if !self.is_shared() {
             self.soil.evaluate(&self.setting)?;
             return self.water.evaluate(&self.setting);
+        }
+        if self.coupling.drag.is_projected && self.coupling.drag.is_reconstructed {
+            return Err(StepError::ProjectedDragReconstructed);
         }
         self.soil.settle(&self.setting)?;
         self.water.settle(&self.setting)?;

@@ -90,6 +90,8 @@ pub enum StepError {
     },
     /// Drag along the line between particles was to be solved over the step.
     ProjectedDragUnsolved,
+    /// Drag was to be reconstructed between particles and to act along the line between them.
+    ProjectedDragReconstructed,
     /// The iteration for the slips that implicit drag depends on did not converge.
     DragUnsettled {
         /// Largest change of the slips in the last sweep \[m/s\].
@@ -143,6 +145,9 @@ impl fmt::Display for StepError {
             Self::ProjectedDragUnsolved => {
                 f.write_str("implicit drag cannot be projected: take DragScheme::Explicit, or plain drag")
             }
+            Self::ProjectedDragReconstructed => f.write_str(
+                "reconstructed drag cannot be projected: take with_reconstructed_drag or with_projected_drag, not both",
+            ),
             Self::DragUnsettled { change, allowed, sweeps, law, time } => write!(
                 f,
                 "implicit drag at t = {time:.6e} s by {law} is not settled after {sweeps} sweeps: slips still change by {change:.3e} m/s, allowed is {allowed:.3e} m/s"

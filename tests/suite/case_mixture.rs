@@ -92,6 +92,8 @@ const MISTAKES: &[Mistake] = &[
     Mistake { from: "[mixture]\n", to: "[mixture]\nprojected_drag = true\ndrag_scheme = \"backward-euler\"\n", key: "mixture.projected_drag", value: "true", what: "contradicts drag_scheme = \"backward-euler\"", allowed: "\"explicit\"" },
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nprojected_drag = true\n", key: "mixture.projected_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nnormalised_drag = true\n", key: "mixture.normalised_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\nprojected_drag = true\nreconstructed_drag = true\n", key: "mixture.reconstructed_drag", value: "true", what: "contradicts projected_drag", allowed: "projected_drag = false" },
+    Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nreconstructed_drag = true\n", key: "mixture.reconstructed_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
     Mistake { from: "[mixture]\n", to: "[mixture]\nnormalised_drag = 1\n", key: "mixture.normalised_drag", value: "1", what: "is a whole number", allowed: "true or false" },
     Mistake { from: "[particles]\n", to: "[particles]\ngradient_correction = \"Bonet-Lok\"\n", key: "particles.gradient_correction", value: "\"Bonet-Lok\"", what: "is a text", allowed: "true or false" },
     Mistake { from: "[[soil.block]]\n", to: "[[soil.block]]\nheld = \"yes\"\n", key: "soil.block[1].held", value: "\"yes\"", what: "is a text", allowed: "true or false" },
@@ -116,6 +118,7 @@ const CHOICES: &[(&str, &str, fn(Jet) -> Jet)] = &[
     ("[particles]", "gradient_correction = true", |mixture| mixture.with_gradient_correction()),
     ("[mixture]", "normalised_drag = true", |mixture| mixture.with_normalised_drag()),
     ("[mixture]", "projected_drag = true", |mixture| mixture.with_projected_drag()),
+    ("[mixture]", "reconstructed_drag = true", |mixture| mixture.with_reconstructed_drag()),
 ];
 
 type Jet = Mixture<f64, 2, WendlandC2<f64, 2>, SoilLaw<f64>>;

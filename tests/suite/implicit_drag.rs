@@ -5,6 +5,7 @@ mod dense;
 mod direct;
 mod normalised;
 mod projected;
+mod reconstructed;
 mod slip;
 
 use alluvium::budget::Account;

@@ -24,6 +24,9 @@ impl Mixing {
         if self.projected_drag {
             mixture = mixture.with_projected_drag();
         }
+        if self.reconstructed_drag {
+            mixture = mixture.with_reconstructed_drag();
+        }
         let scheme = case.drag_plan().map_or(DragScheme::Explicit, |plan| plan.scheme);
         with_scheme(mixture, scheme)
     }

@@ -36,13 +36,19 @@ pub(super) fn mixing(reader: &Reader<'_>, case: &Case) {
 
 /// What drag is to be, against its law and how it goes through a step.
 fn drag(reader: &Reader<'_>, mixing: &Mixing) {
-    for (key, given) in [
+    let ways = [
         ("mixture.normalised_drag", mixing.normalised_drag),
         ("mixture.projected_drag", mixing.projected_drag),
-    ] {
+        ("mixture.reconstructed_drag", mixing.reconstructed_drag),
+    ];
+    for (key, given) in ways {
         if given && mixing.drag == Drag::None {
             reader.error(key, "contradicts drag = \"none\"", "false, or another drag");
         }
+    }
+    if mixing.projected_drag && mixing.reconstructed_drag {
+        let why = "contradicts projected_drag: drag is one or the other";
+        reader.error("mixture.reconstructed_drag", why, "false, or projected_drag = false");
     }
     let is_solved = matches!(mixing.drag_scheme, SchemeChoice::BackwardEuler | SchemeChoice::SecondOrder);
     if mixing.projected_drag && is_solved {

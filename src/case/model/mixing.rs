@@ -19,6 +19,8 @@ pub struct Mixing {
     pub normalised_drag: bool,
     /// Whether drag acts along the line between the particles of a pair.
     pub projected_drag: bool,
+    /// Whether drag is that of velocities reconstructed between the particles of a pair.
+    pub reconstructed_drag: bool,
 }
 
 /// A box.

@@ -48,6 +48,7 @@ impl Context<'_, '_> {
             drag_scheme,
             normalised_drag: section.flag("normalised_drag").unwrap_or(false),
             projected_drag: section.flag("projected_drag").unwrap_or(false),
+            reconstructed_drag: section.flag("reconstructed_drag").unwrap_or(false),
         };
         section.finish();
         Some(mixing)

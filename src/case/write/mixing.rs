@@ -11,7 +11,8 @@ pub(super) fn mixing(f: &mut fmt::Formatter<'_>, mixing: &Mixing) -> fmt::Result
     drag(f, &mixing.drag)?;
     writeln!(f, "drag_scheme = \"{}\"", mixing.drag_scheme)?;
     writeln!(f, "normalised_drag = {}", mixing.normalised_drag)?;
-    writeln!(f, "projected_drag = {}", mixing.projected_drag)
+    writeln!(f, "projected_drag = {}", mixing.projected_drag)?;
+    writeln!(f, "reconstructed_drag = {}", mixing.reconstructed_drag)
 }
 
 fn drag(f: &mut fmt::Formatter<'_>, drag: &Drag) -> fmt::Result {

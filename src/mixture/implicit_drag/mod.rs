@@ -130,13 +130,19 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         let (soil, water) = (&self.soil.phase, &self.water.phase);
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.find_neighbours(&soil.position, &water.position, sorted);
+        let reconstruction = self.reconstruction(base);
+        let (soil, water) = (&self.soil.phase, &self.water.phase);
         let begin = self.implicit_drag.before.take();
         let begin = begin.as_deref().unwrap_or(&water.rate.acceleration);
         let begin: Vec<_> = begin.iter().map(in_double).collect();
         let velocity = joined([&soil.fields(base).velocity, &water.fields(base).velocity]);
         let [of_soil, of_water] = &self.implicit_drag.without;
+        let mut without = joined([of_soil, of_water]);
+        for (acceleration, change) in without.iter_mut().zip(reconstruction) {
+            *acceleration += change;
+        }
         let stage = Stage {
-            without: &joined([of_soil, of_water]),
+            without: &without,
             masses: &soil.mass.iter().chain(&water.mass).map(|m| m.as_f64()).collect::<Vec<_>>(),
             soil: soil.len(),
             held: [soil.wall_particles(), water.wall_particles()],
@@ -179,6 +185,17 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         put(&mut self.soil.phase, of_soil);
         put(&mut self.water.phase, of_water);
         Ok(())
+    }
+
+    /// What reconstructing the velocities `base` changes of the accelerations by drag; nothing if they are not.
+    fn reconstruction(&mut self, base: Moment) -> Vec<Vector<f64, D>> {
+        if !self.coupling.drag.is_reconstructed {
+            return Vec::new();
+        }
+        let (soil, water) = (&mut self.soil, &mut self.water);
+        let [on_soil, on_water] =
+            self.coupling.reconstruct_drag(&self.setting.kernel, soil, water, (base, false)).acceleration;
+        joined([&on_soil, &on_water])
     }
 
     /// What drag takes and gives per time over a step of `dt` \[s\] from the fields `base`: the work of the

@@ -10,14 +10,17 @@ use alluvium::setup;
 use alluvium::time::{Evolve, Moment};
 
 #[derive(Clone, Copy, PartialEq)]
-enum By {
+pub(super) enum By {
     Nothing,
     Plain,
     Projected,
+    Reconstructed,
+    ReconstructedAndNormalised,
+    ReconstructedAndSolved,
 }
 
 /// A heap of soil and water in disorder, with random velocities and nothing around.
-fn heap(by: By) -> Both<f64> {
+pub(super) fn heap(by: By) -> Both<f64> {
     let mut state = 9_u64;
     let mut random = move || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -41,13 +44,21 @@ fn heap(by: By) -> Both<f64> {
         By::Nothing => mixture.with_drag(NoDrag),
         By::Plain => mixture.with_drag(darcy(1e-3)),
         By::Projected => mixture.with_drag(darcy(1e-3)).with_projected_drag(),
+        By::Reconstructed => mixture.with_drag(darcy(1e-3)).with_reconstructed_drag(),
+        By::ReconstructedAndNormalised => {
+            mixture.with_drag(darcy(1e-3)).with_reconstructed_drag().with_normalised_drag()
+        }
+        By::ReconstructedAndSolved => mixture
+            .with_drag(darcy(1e-3))
+            .with_reconstructed_drag()
+            .with_drag_scheme(DragScheme::BackwardEuler),
     };
     mixture.evaluate().unwrap();
     mixture
 }
 
 /// What drag gives of momentum and of angular momentum, relative; its power less the account's, relative.
-fn given(by: By) -> [f64; 3] {
+pub(super) fn given(by: By) -> [f64; 3] {
     let (with, without) = (heap(by), heap(By::Nothing));
     let (mut momentum, mut turning, mut power) = (Vector([0.0; 2]), 0.0, 0.0);
     let (mut size, mut lever) = (0.0, 0.0);
