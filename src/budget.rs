@@ -40,11 +40,13 @@ pub enum Account {
     ScaleBack,
     /// Cutting off tension.
     CutOff,
+    /// Volume fractions of water put to their sums (68).
+    VolumeFraction,
 }
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -61,6 +63,7 @@ impl Account {
         Self::Plastic,
         Self::ScaleBack,
         Self::CutOff,
+        Self::VolumeFraction,
     ];
 
     /// Its name in tables.
@@ -82,6 +85,7 @@ impl Account {
             Self::Plastic => "plastic",
             Self::ScaleBack => "scale_back",
             Self::CutOff => "cut_off",
+            Self::VolumeFraction => "volume_fraction",
         }
     }
 }

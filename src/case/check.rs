@@ -25,6 +25,7 @@ pub(super) fn check(reader: &Reader<'_>, case: &Case) {
     }
     if let Some(water) = &case.water {
         speeds(reader, case, water);
+        cavitation(reader, water);
     }
     if let Some(soil) = &case.soil {
         soil::soil(reader, case, soil);
@@ -75,6 +76,16 @@ fn speeds(reader: &Reader<'_>, case: &Case, water: &Water) {
         let why =
             format!("is below five times the fastest speed to expect, {speed:.3} m/s: density will vary");
         reader.warning("water.sound_speed_m_per_s", &why, format!("{:.3} is usual", 10.0 * speed));
+    }
+}
+
+/// Where water cavitates it must have a density.
+fn cavitation(reader: &Reader<'_>, water: &Water) {
+    let stiffness = water.reference_density * water.sound_speed.powi(2) / f64::from(water.tait_exponent); // (17)
+    if water.cavitation_pressure.is_some_and(|least| least <= -stiffness) {
+        let why = format!("is never reached: without density water has {:.4e} Pa", -stiffness);
+        let allowed = format!("from above {:.4e} to 0.0 [Pa]", -stiffness);
+        reader.error("water.cavitation_pressure_pa", &why, allowed);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Words a case file may choose from.
 
 use crate::material::{Cone, Plasticity};
-use crate::mixture::CouplingForm;
+use crate::mixture::{CouplingForm, VolumeFraction};
 use crate::preset::Preset;
 
 /// An enumeration whose variants are words in a case file.
@@ -59,6 +59,16 @@ impl Choice for CouplingForm {
         match self {
             Self::PressureDifference => "pressure-difference",
             Self::Printed => "printed",
+        }
+    }
+}
+
+impl Choice for VolumeFraction {
+    const ALL: &'static [Self] = &[Self::Rate, Self::Sum];
+    fn word(self) -> &'static str {
+        match self {
+            Self::Rate => "rate",
+            Self::Sum => "sum",
         }
     }
 }

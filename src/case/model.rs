@@ -72,6 +72,8 @@ pub struct Water {
     pub viscosity: f64,
     /// Exponent γ of the equation of state \[–\].
     pub tait_exponent: i32,
+    /// Pressure at which it cavitates \[Pa\]; none where it bears any suction.
+    pub cavitation_pressure: Option<f64>,
     /// Artificial viscosity, linear η₁ \[–\].
     pub artificial_viscosity_linear: f64,
     /// Artificial viscosity, quadratic η₂ \[–\].

@@ -16,6 +16,8 @@ pub struct Water<T> {
     viscosity: T,
     exponent: i32,
     stiffness: T,
+    /// The lowest pressure \[Pa\]; −∞ where water bears any suction.
+    least: T,
 }
 
 impl<T: Real> Water<T> {
@@ -29,8 +31,14 @@ impl<T: Real> Water<T> {
     pub fn new(reference_density: T, sound_speed: T) -> Result<Self, ParameterError> {
         positive("reference_density", reference_density, "a positive density [kg/m³]")?;
         positive("sound_speed", sound_speed, "a positive speed [m/s]")?;
-        let mut water =
-            Self { reference_density, sound_speed, viscosity: T::ZERO, exponent: 7, stiffness: T::ZERO };
+        let mut water = Self {
+            reference_density,
+            sound_speed,
+            viscosity: T::ZERO,
+            exponent: 7,
+            stiffness: T::ZERO,
+            least: -T::INFINITY,
+        };
         water.stiffness = water.tait_stiffness();
         Ok(water)
     }
@@ -50,14 +58,36 @@ impl<T: Real> Water<T> {
     /// The same water with exponent χ \[-\] in (16); 1 is a linear equation of state.
     ///
     /// # Errors
-    /// χ is not in 1 … 20.
+    /// χ is not in 1 … 20, or leaves no density at the pressure at which the water cavitates.
     pub fn with_exponent(mut self, exponent: i32) -> Result<Self, ParameterError> {
         if !(1..=20).contains(&exponent) {
             return Err(ParameterError::new("tait_exponent", exponent, "a whole number from 1 to 20"));
         }
         self.exponent = exponent;
         self.stiffness = self.tait_stiffness();
+        if self.least.is_finite() { self.with_cavitation(self.least) } else { Ok(self) }
+    }
+
+    /// The same water, which cavitates at the pressure `least` \[Pa\] above the air's: −101 325 where water boils
+    /// in a vacuum, 0 where it bears no suction. By default it bears any.
+    ///
+    /// Thinner water keeps that pressure: it is two-phase and has no sound. Filling the cavity takes back the
+    /// work against it, so that nothing is lost: the energy is among the compressive.
+    ///
+    /// # Errors
+    /// The pressure is positive, or not above −B (17), which no density has.
+    pub fn with_cavitation(mut self, least: T) -> Result<Self, ParameterError> {
+        if !(least <= T::ZERO && least > -self.stiffness) {
+            let allowed = "above −ρ̃₀c²/χ, up to 0 [Pa]";
+            return Err(ParameterError::new("cavitation_pressure", least, allowed));
+        }
+        self.least = least;
         Ok(self)
+    }
+
+    /// The pressure \[Pa\] at which it cavitates; −∞ if it bears any suction.
+    pub fn cavitation(&self) -> T {
+        self.least
     }
 
     /// B = ρ̃₀ c²/χ \[Pa\] (17).
@@ -113,7 +143,9 @@ impl<T: Real> Material<T> for Water<T> {
         // The usual exponent is told apart, so that loops over particles become vector code.
         let excess =
             if self.exponent == 7 { power(compression, 7) } else { power(compression, self.exponent) };
-        self.stiffness * excess // (16)
+        let p = self.stiffness * excess; // (16)
+        // What is not a number stays none.
+        if p < self.least { self.least } else { p }
     }
 
     /// `(p/B + 1)^{1/χ} − 1`, the compression in (74).
@@ -148,11 +180,20 @@ impl<T: Real> Material<T> for Water<T> {
         self.viscosity / self.reference_density
     }
 
-    /// `∫ p/ρ̃² dρ̃ = (B/ρ̃₀) [(X^{χ−1} − 1)/(χ − 1) + 1/X − 1]`, `X = ρ̃/ρ̃₀`.
+    /// `∫ p/ρ̃² dρ̃ = (B/ρ̃₀) [(X^{χ−1} − 1)/(χ − 1) + 1/X − 1]`, `X = ρ̃/ρ̃₀`; of cavitating water what it stores where
+    /// that begins, at X_c, and `(p_c/ρ̃₀) (1/X_c − 1/X)`.
     fn stored_energy(&self, compression: T, (): &()) -> f64 {
-        let x = 1.0 + compression.as_f64();
+        let at_least = if self.least.is_finite() { self.compression(self.least) } else { compression };
+        let dense = if compression < at_least { at_least } else { compression };
+        let x = 1.0 + dense.as_f64();
+        let opened = if compression < at_least {
+            self.least.as_f64() / self.reference_density.as_f64()
+                * (1.0 / x - 1.0 / (1.0 + compression.as_f64()))
+        } else {
+            0.0
+        };
         let n = self.exponent - 1;
         let work = if n == 0 { x.ln() } else { (x.powi(n) - 1.0) / f64::from(n) };
-        self.stiffness.as_f64() / self.reference_density.as_f64() * (work + 1.0 / x - 1.0)
+        self.stiffness.as_f64() / self.reference_density.as_f64() * (work + 1.0 / x - 1.0) + opened
     }
 }

@@ -39,6 +39,7 @@ mod state;
 mod step_error;
 mod strain_control;
 mod stress;
+mod summed_fraction;
 mod velocity_gradient;
 mod wall;
 mod wall_contact;
@@ -58,6 +59,7 @@ pub use probe::Probe;
 pub use source::Source;
 pub use state::MixtureState;
 pub use step_error::{Culprit, StepError};
+pub use summed_fraction::VolumeFraction;
 pub use wall::{Slip, Wall, WallKind};
 
 use crate::budget::{Account, Exchange};
@@ -112,6 +114,7 @@ pub struct Mixture<
     #[cfg(feature = "implicit")]
     implicit_drag: implicit_drag::ImplicitDrag<T, D>,
     relaxation: Option<Relaxation<T>>,
+    fraction: VolumeFraction,
     exchanged: [Exchange<D>; 2],
     /// Whether the water's volume fractions are those of its place.
     started: bool,
@@ -162,6 +165,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             soil: Constituent::new(Role::Soil, soil, support),
             water: Constituent::new(Role::Water, water, support),
             relaxation: None,
+            fraction: VolumeFraction::default(),
             exchanged: [Exchange::default(); 2],
             started: false,
         }
@@ -287,6 +291,9 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
         #[cfg(feature = "implicit")]
         self.implicit_drag.keep_before(&self.water.phase.rate.acceleration);
         self.share_space(); // (68)
+        if self.fraction == VolumeFraction::Sum {
+            self.sum_fractions(); // (68)
+        }
         let setting = &self.setting;
         self.water.find_state(setting); // (16), (20)
         self.coupling.look(setting, &mut self.soil, &self.water); // (67)–(69)

@@ -6,7 +6,7 @@ use crate::fingerprint;
 use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, DragLaw, Ergun, Forchheimer, KozenyCarman, NoDrag, PoreFluid};
-use alluvium::mixture::{CouplingForm, DragScheme, Mixture, Slip, WallKind};
+use alluvium::mixture::{CouplingForm, DragScheme, Mixture, Slip, VolumeFraction, WallKind};
 use alluvium::simulation::Simulation;
 use alluvium::time::{Evolve, LeapFrog, Limit, StepSize};
 
@@ -95,6 +95,9 @@ const MISTAKES: &[Mistake] = &[
     Mistake { from: "[mixture]\n", to: "[mixture]\nprojected_drag = true\nreconstructed_drag = true\n", key: "mixture.reconstructed_drag", value: "true", what: "contradicts projected_drag", allowed: "projected_drag = false" },
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nreconstructed_drag = true\n", key: "mixture.reconstructed_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
     Mistake { from: "[mixture]\n", to: "[mixture]\nnormalised_drag = 1\n", key: "mixture.normalised_drag", value: "1", what: "is a whole number", allowed: "true or false" },
+    Mistake { from: "[water]\n", to: "[water]\ncavitation_pressure_pa = 1.0\n", key: "water.cavitation_pressure_pa", value: "1.0", what: "is out of range", allowed: "0.0" },
+    Mistake { from: "[water]\n", to: "[water]\ncavitation_pressure_pa = -1e7\n", key: "water.cavitation_pressure_pa", value: "-1e7", what: "is never reached", allowed: "-8.9286e6" },
+    Mistake { from: "[mixture]\n", to: "[mixture]\nvolume_fraction = 0.5\n", key: "mixture.volume_fraction", value: "0.5", what: "is a number", allowed: "\"sum\"" },
     Mistake { from: "[particles]\n", to: "[particles]\ngradient_correction = \"Bonet-Lok\"\n", key: "particles.gradient_correction", value: "\"Bonet-Lok\"", what: "is a text", allowed: "true or false" },
     Mistake { from: "[[soil.block]]\n", to: "[[soil.block]]\nheld = \"yes\"\n", key: "soil.block[1].held", value: "\"yes\"", what: "is a text", allowed: "true or false" },
 ];
@@ -116,6 +119,7 @@ fn every_mistake_is_named() {
 #[allow(clippy::type_complexity)]
 const CHOICES: &[(&str, &str, fn(Jet) -> Jet)] = &[
     ("[particles]", "gradient_correction = true", |mixture| mixture.with_gradient_correction()),
+    ("[mixture]", "volume_fraction = \"sum\"", |mixture| mixture.with_volume_fraction(VolumeFraction::Sum)),
     ("[mixture]", "normalised_drag = true", |mixture| mixture.with_normalised_drag()),
     ("[mixture]", "projected_drag = true", |mixture| mixture.with_projected_drag()),
     ("[mixture]", "reconstructed_drag = true", |mixture| mixture.with_reconstructed_drag()),
@@ -148,6 +152,15 @@ fn a_choice_in_the_case_is_that_of_the_library() {
     let clay = read(&projected.replace("5e-4", "1e-8")).0.drag_plan().unwrap();
     assert_eq!(clay.scheme, DragScheme::Explicit);
     assert!(clay.why.contains("is not solved"), "{}", clay.why);
+}
+
+#[test]
+fn water_cavitates_where_the_case_says() {
+    let text = JET.replacen("[water]", "[water]\ncavitation_pressure_pa = -1e4", 1);
+    let case = read(&text).0;
+    assert_eq!(read(&case.to_string()).0, case);
+    assert_eq!(mixture(&text).water().material().cavitation(), -1e4);
+    assert_eq!(mixture(JET).water().material().cavitation(), f64::NEG_INFINITY);
 }
 
 #[test]

@@ -39,6 +39,7 @@ mod restart;
 mod soil;
 mod soil_law;
 mod source;
+mod summed_fraction;
 mod tank;
 mod walls;
 mod water_law;

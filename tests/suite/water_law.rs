@@ -103,3 +103,30 @@ fn impossible_values_are_refused_with_name_value_and_range() {
     ];
     assert_eq!(said, expected);
 }
+
+#[test]
+fn cavitating_water_keeps_its_pressure_and_stores_the_work_against_it() {
+    let (law, free) = (water::<f64>().with_cavitation(-2e3).unwrap(), water::<f64>());
+    let open = free.compression(-2e3);
+    for e in [open + 1e-6, -1e-3, 0.0, 0.02] {
+        assert_eq!(law.pressure(e, &()), free.pressure(e, &()));
+        assert_eq!(law.stored_energy(e, &()), free.stored_energy(e, &()));
+    }
+    for e in [open - 1e-6, -0.01, -0.3] {
+        assert_eq!(law.pressure(e, &()), -2e3);
+        assert!(law.stored_energy(e, &()) < free.stored_energy(e, &()));
+        // dE/dρ̃ = p/ρ̃².
+        let (step, x) = (1e-8, 1.0 + e);
+        let slope =
+            (law.stored_energy(e + step, &()) - law.stored_energy(e - step, &())) / (2.0 * step * 1e3);
+        assert!((slope * 1e6 * x * x / -2e3 - 1.0).abs() < 1e-5, "{e}: {slope}");
+    }
+    assert!(law.pressure(f64::NAN, &()).is_nan());
+    for wrong in [1.0, f64::NAN, -1000.0 * 625.0 / 7.0] {
+        let error = water::<f64>().with_cavitation(wrong).unwrap_err();
+        assert!(error.to_string().contains("cavitation_pressure"), "{error}");
+    }
+    // A softer law no longer reaches it.
+    let deep = water::<f64>().with_exponent(1).unwrap().with_cavitation(-5e5).unwrap();
+    assert!(deep.with_exponent(7).is_err());
+}

@@ -14,7 +14,10 @@ impl Mixing {
         case: &Case,
         water: &Water,
     ) -> Result<Mixture<T, D, K, SoilLaw<T>>, BuildError> {
-        mixture = mixture.with_coupling(self.coupling).with_drag(self.drag.law::<T>(water)?);
+        mixture = mixture
+            .with_coupling(self.coupling)
+            .with_volume_fraction(self.fraction)
+            .with_drag(self.drag.law::<T>(water)?);
         if self.relaxation_time > 0.0 {
             mixture = mixture.with_density_relaxation(T::of(self.relaxation_time))?;
         }

@@ -60,9 +60,13 @@ impl Case {
 
 impl Water {
     fn law<T: Real>(&self) -> Result<material::Water<T>, ParameterError> {
-        material::Water::new(T::of(self.reference_density), T::of(self.sound_speed))?
+        let water = material::Water::new(T::of(self.reference_density), T::of(self.sound_speed))?
             .with_viscosity(T::of(self.viscosity))?
-            .with_exponent(self.tait_exponent)
+            .with_exponent(self.tait_exponent)?;
+        match self.cavitation_pressure {
+            Some(least) => water.with_cavitation(T::of(least)),
+            None => Ok(water),
+        }
     }
 
     /// The mixture with this water's numerical choices.

@@ -2,7 +2,7 @@
 
 use super::Drag;
 use crate::case::choice::SchemeChoice;
-use crate::mixture::CouplingForm;
+use crate::mixture::{CouplingForm, VolumeFraction};
 
 /// What is between soil and water.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub struct Mixing {
     pub coupling: CouplingForm,
     /// Time in which the water's density relaxes to the volume its particles take \[s\]; 0 is never.
     pub relaxation_time: f64,
+    /// How the water's volume fraction follows the soil.
+    pub fraction: VolumeFraction,
     /// How they drag each other.
     pub drag: Drag,
     /// How drag goes through a time step.

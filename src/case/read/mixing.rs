@@ -44,6 +44,7 @@ impl Context<'_, '_> {
         let mixing = Mixing {
             coupling,
             relaxation_time,
+            fraction: section.choice("volume_fraction").unwrap_or_default(),
             drag,
             drag_scheme,
             normalised_drag: section.flag("normalised_drag").unwrap_or(false),

@@ -31,6 +31,7 @@ impl Context<'_, '_> {
             sound_speed: sound_speed.unwrap_or_else(|| self.sound_speed(&blocks, gravity, tank)),
             viscosity: section.number("viscosity_pa_s", from_to(0.0, 1e6, "Pa s")).unwrap_or(1e-3),
             tait_exponent: section.count("tait_exponent", 1..=20).unwrap_or(7) as i32,
+            cavitation_pressure: section.number("cavitation_pressure_pa", from_to(-1e12, 0.0, "Pa")),
             artificial_viscosity_linear: viscosity.number("linear", from_to(0.0, 10.0, "")).unwrap_or(linear),
             artificial_viscosity_quadratic: viscosity
                 .number("quadratic", from_to(0.0, 10.0, ""))

@@ -8,6 +8,7 @@ use core::fmt;
 pub(super) fn mixing(f: &mut fmt::Formatter<'_>, mixing: &Mixing) -> fmt::Result {
     writeln!(f, "\n[mixture]\ncoupling = \"{}\"", mixing.coupling.word())?;
     writeln!(f, "density_relaxation_s = {:?}", mixing.relaxation_time)?;
+    writeln!(f, "volume_fraction = \"{}\"", mixing.fraction.word())?;
     drag(f, &mixing.drag)?;
     writeln!(f, "drag_scheme = \"{}\"", mixing.drag_scheme)?;
     writeln!(f, "normalised_drag = {}", mixing.normalised_drag)?;

@@ -11,6 +11,9 @@ pub(super) fn water(f: &mut fmt::Formatter<'_>, water: &Water) -> fmt::Result {
     writeln!(f, "sound_speed_m_per_s = {:?}", water.sound_speed)?;
     writeln!(f, "viscosity_pa_s = {:?}", water.viscosity)?;
     writeln!(f, "tait_exponent = {}", water.tait_exponent)?;
+    if let Some(least) = water.cavitation_pressure {
+        writeln!(f, "cavitation_pressure_pa = {least:?}")?;
+    }
     writeln!(f, "\n[water.artificial_viscosity]")?;
     writeln!(f, "linear = {:?}", water.artificial_viscosity_linear)?;
     writeln!(f, "quadratic = {:?}", water.artificial_viscosity_quadratic)?;
