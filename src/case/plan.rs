@@ -4,7 +4,7 @@ use super::choice::{KernelChoice, SchemeChoice};
 use super::model::{Case, StepSize};
 use crate::error::ParameterError;
 use crate::kernel::{CubicSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6, second_moment};
-use crate::mixture::DragScheme;
+use crate::mixture::{CouplingForm, DragScheme};
 
 /// An estimate of the step one limit allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +63,9 @@ impl Case {
         if let Some(water) = &self.water {
             limits.push(limit("acoustic (water)", courant * h / water.sound_speed, true));
         }
+        if let Some(step) = self.pore_limit() {
+            limits.push(limit("acoustic (water in pores)", step, true));
+        }
         if let Some(wave) = self.coupled_wave() {
             limits.push(limit("acoustic (soil and water as one)", courant * h / wave, false));
         }
@@ -74,6 +77,14 @@ impl Case {
             limits.push(limit("force", 0.25 * (h / gravity).sqrt(), true));
         }
         limits
+    }
+
+    /// ½ h φ_f/c, where pressure acts by differences.
+    fn pore_limit(&self) -> Option<f64> {
+        let (soil, water) = (self.soil.as_ref()?, self.water.as_ref()?);
+        let acts = self.mixing.as_ref()?.coupling == CouplingForm::PressureDifference;
+        let pores = (1.0 - soil.volume_fraction).max(0.01);
+        acts.then(|| 0.5 * self.smoothing_length() * pores / water.sound_speed)
     }
 
     /// Speed \[m/s\] of the fastest wave in soil full of water without drag: the larger root of

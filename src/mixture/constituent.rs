@@ -153,7 +153,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             acoustic: h / self.phase.material().fastest_wave(),
             viscous: or_infinite(nu > T::ZERO, T::of(0.125) * h * h / nu),
             force: or_infinite(a > T::ZERO, T::of(0.25) * (h / a).sqrt()),
-            drag: T::INFINITY,
+            ..Limits::none()
         }
     }
 

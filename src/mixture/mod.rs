@@ -235,8 +235,17 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     pub fn limits(&self) -> Limits<T> {
         let h = self.setting.kernel.smoothing_length();
         let own = self.soil.limits(h).shorter(self.water.limits(h));
-        let drag_limits = self.is_shared() && self.coupling.drag.is_evaluated;
-        if drag_limits { Limits { drag: self.coupling.drag.limit(), ..own } } else { own }
+        if !self.is_shared() {
+            return own;
+        }
+        let drag = if self.coupling.drag.is_evaluated { self.coupling.drag.limit() } else { T::INFINITY };
+        let pores = match self.coupling.form {
+            CouplingForm::PressureDifference => {
+                h * self.water.phase.least_fraction() / self.water.phase.material().sound_speed()
+            }
+            CouplingForm::Printed => T::INFINITY,
+        };
+        Limits { drag, pores, ..own }
     }
 
     /// The law of drag between soil and water.

@@ -4,7 +4,7 @@ use super::opening::Inflow;
 use super::wall::{Slip, Wall, WallKind};
 use crate::material::{Material, Memory};
 use crate::parallel::{self, CHUNK};
-use crate::real::Real;
+use crate::real::{Num, Real};
 use crate::space::{SymTensor, Vector};
 use crate::time::Moment;
 
@@ -204,6 +204,11 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     #[inline(always)]
     pub fn volume_fraction(&self, i: usize) -> T {
         if M::RIGID_GRAINS { self.volume_fraction[i] + self.now.excess[i] } else { self.volume_fraction[i] }
+    }
+
+    /// The smallest volume fraction \[-\], but for particles that have hardly any.
+    pub(super) fn least_fraction(&self) -> T {
+        self.volume_fraction.iter().copied().fold(T::ONE, Num::min).max(T::of(0.01))
     }
 
     /// Pressures p \[Pa\] at the last evaluation, positive in compression.

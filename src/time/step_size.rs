@@ -16,6 +16,8 @@ pub enum Limit {
     Force,
     /// Explicit drag between soil and water.
     Drag,
+    /// Sound of water between grains, from particle to particle: `½ h φ/c`.
+    Pores,
     /// The step was given.
     Fixed,
     /// The end of the run, or of an output interval.
@@ -30,6 +32,7 @@ impl Limit {
             Self::Viscous => "viscous",
             Self::Force => "force",
             Self::Drag => "drag",
+            Self::Pores => "pores",
             Self::Fixed => "fixed",
             Self::End => "end",
         }
@@ -54,12 +57,17 @@ pub struct Limits<T> {
     /// The step at which explicit drag between soil and water turns unstable; infinite without drag, and where it
     /// is solved over the step.
     pub drag: T,
+    /// `h φ/c` with the smallest volume fraction of water that shares its space: from particle to particle, where the
+    /// pressure the grains bear does not follow, the pores are as stiff as water of the sound speed c/φ. Infinite
+    /// without soil, and where pressure acts as printed.
+    pub pores: T,
 }
 
 impl<T: Real> Limits<T> {
     /// No limit.
     pub fn none() -> Self {
-        Self { acoustic: T::INFINITY, viscous: T::INFINITY, force: T::INFINITY, drag: T::INFINITY }
+        let none = T::INFINITY;
+        Self { acoustic: none, viscous: none, force: none, drag: none, pores: none }
     }
     /// The shorter of each pair.
     pub fn shorter(self, other: Self) -> Self {
@@ -68,9 +76,11 @@ impl<T: Real> Limits<T> {
             viscous: self.viscous.min(other.viscous),
             force: self.force.min(other.force),
             drag: self.drag.min(other.drag),
+            pores: self.pores.min(other.pores),
         }
     }
-    /// The shortest with its name; `courant` scales the acoustic one (73), and half of what drag bears is taken.
+    /// The shortest with its name; `courant` scales the acoustic one (73), and half of what drag and pores bear is
+    /// taken.
     pub fn binding(&self, courant: T) -> (T, Limit) {
         self.shortest(courant, T::of(0.5))
     }
@@ -78,10 +88,14 @@ impl<T: Real> Limits<T> {
     pub fn last(&self) -> (T, Limit) {
         self.shortest(T::ONE, T::ONE)
     }
-    fn shortest(&self, courant: T, of_drag: T) -> (T, Limit) {
+    fn shortest(&self, courant: T, part: T) -> (T, Limit) {
         let mut best = (courant * self.acoustic, Limit::Acoustic);
-        let drag = of_drag * self.drag;
-        let others = [(self.viscous, Limit::Viscous), (self.force, Limit::Force), (drag, Limit::Drag)];
+        let others = [
+            (self.viscous, Limit::Viscous),
+            (self.force, Limit::Force),
+            (part * self.drag, Limit::Drag),
+            (part * self.pores, Limit::Pores),
+        ];
         for (limit, name) in others {
             if limit < best.0 {
                 best = (limit, name);

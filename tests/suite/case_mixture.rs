@@ -254,6 +254,7 @@ fn every_limit_of_the_step_is_told_before() {
     // Table 3: 273 m/s drained, 349.5 m/s with the water in it.
     assert!((speed("acoustic (water)") - 250.0).abs() < 1e-9);
     assert!((speed("acoustic (soil)") - 273.5).abs() < 0.5, "{}", speed("acoustic (soil)"));
+    assert!((speed("acoustic (water in pores)") * 0.5 / 0.2 - 500.0).abs() < 1e-9, "c/φ");
     let together = speed("acoustic (soil and water as one)");
     assert!((together - 349.5).abs() < 0.5, "{together}");
     let names: Vec<_> = limits.iter().map(|limit| limit.name).collect();

@@ -32,6 +32,7 @@ mod neighbours;
 mod openings;
 mod output;
 mod outside;
+mod pore_limit;
 #[cfg(feature = "cli")]
 mod program;
 mod register;
