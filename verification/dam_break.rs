@@ -1,5 +1,6 @@
 //! The paper's water dam break against published measurements (Figs. 3, 5).
 
+use crate::bands::{Band, WITHIN, measured};
 use crate::dam_run::{
     Closing, HEAVY, LIGHT, Record, THIN, UNBOOKED, UNDAMPED, published as curve, record, slab_record,
 };
@@ -57,17 +58,13 @@ fn front(preset: Preset, spacing: f64, level: Level) -> Study {
     Study::new(name("front", preset, spacing), claim, move |conditions| {
         let record = record::<f64>(preset, spacing, END, conditions);
         let bands = [(1.5, 1.98, 2.08), (2.0, 2.56, 2.70), (2.5, 3.20, 3.38)];
-        let at = |time: f64| record.front.at(time).unwrap_or(f64::NAN);
-        let note = bands.map(|(time, ..)| format!("X({time}) = {:.3}", at(time))).join(", ");
-        let values = bands.map(|(time, low, high)| {
-            (format!("T = {time}"), (at(time) - 0.5 * (low + high)) / (0.5 * (high - low)))
-        });
-        Measured::values(values).note(note)
+        let band = |(time, low, high)| Band::new(format!("X({time})"), record.front.at(time), (low, high));
+        measured(bands.map(band).into())
     })
     .equations(&["16", "52", "58", "71", "72", "74"])
     .source(SOURCE)
     .level(level)
-    .expect(Expected::Bound { largest: 1.0 })
+    .expect(WITHIN)
     .mutant(LIGHT)
 }
 

@@ -1,6 +1,7 @@
 //! Runs of the dam break, each done once and shared by the studies that read it.
 
 use crate::scene::Tank;
+use crate::shared_runs::SharedRuns;
 use alluvium::budget::Account;
 use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture, Wall};
 use alluvium::output::Table;
@@ -10,9 +11,8 @@ use alluvium::time::{LeapFrog, StepSize};
 use alluvium::verify::Conditions;
 use alluvium::verify::dam_break::{self, Curve, Reference};
 use alluvium::{Preset, Real, Vector};
-use std::collections::HashMap;
 use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::OnceLock;
 
 pub const LIGHT: &str = "gravity of 8 m/s²";
 pub const HEAVY: &str = "gravity of 14 m/s²";
@@ -40,16 +40,11 @@ pub struct Record {
     pub left_out: usize,
 }
 
-type Cache = Mutex<HashMap<String, Arc<OnceLock<Record>>>>;
-
 /// The run of a preset at a spacing \[m\] to time `end` \[s\].
 pub fn record<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions) -> Record {
-    static CACHE: OnceLock<Cache> = OnceLock::new();
+    static RUNS: SharedRuns<Record> = SharedRuns::new();
     let key = format!("{} {preset:?} {spacing} {end} {:?}", T::NAME, conditions.mutant);
-    let mut cache = CACHE.get_or_init(Cache::default).lock().unwrap_or_else(PoisonError::into_inner);
-    let slot = Arc::clone(cache.entry(key).or_default());
-    drop(cache);
-    slot.get_or_init(|| run::<T>(preset, spacing, end, conditions)).clone()
+    RUNS.get(key, || run::<T>(preset, spacing, end, conditions))
 }
 
 /// The paper's is fixed (Table 1).

@@ -12,6 +12,7 @@
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
 mod balance;
+mod bands;
 mod bench;
 #[cfg(feature = "case")]
 mod budgets;
@@ -29,6 +30,8 @@ mod flags;
 mod identity;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
+#[cfg(feature = "case")]
+mod jet;
 mod journal;
 mod kernels;
 mod lattice_sums;
@@ -41,9 +44,12 @@ mod pore_volumes;
 mod powers;
 mod precision;
 mod ready;
+#[cfg(feature = "case")]
+mod sand_column;
 mod scene;
 mod seepage;
 mod settling;
+mod shared_runs;
 mod soil;
 mod soil_at_rest;
 mod soil_cut;
@@ -55,6 +61,8 @@ mod sound;
 mod still_tank;
 mod tanks;
 mod taylor_green;
+#[cfg(feature = "case")]
+mod u_tube;
 mod water;
 
 use alluvium::verify::{Environment, Level, Outcome, Report, Study};
@@ -102,6 +110,12 @@ fn studies() -> Vec<Study> {
         driver_turning::studies(),
         #[cfg(feature = "case")]
         budgets::studies(),
+        #[cfg(feature = "case")]
+        sand_column::studies(),
+        #[cfg(feature = "case")]
+        u_tube::studies(),
+        #[cfg(feature = "case")]
+        jet::studies(),
     ]
     .into_iter()
     .flatten()

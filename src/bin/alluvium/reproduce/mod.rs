@@ -10,6 +10,7 @@ mod mixture;
 mod results;
 mod sand_column;
 mod u_tube;
+mod vertical_cut;
 
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
@@ -44,6 +45,21 @@ const ALL: &[Reproduction] = &[
         name: "sand-column-run-out",
         about: "columns of aspect ratios from 0.5 to 4: how far they run, over laws from other experiments",
         run: sand_column::run_out::reproduce,
+    },
+    Reproduction {
+        name: "sand-column-round",
+        about: "a round column of the same sand in three dimensions: surface, how far it runs",
+        run: sand_column::in_space::round,
+    },
+    Reproduction {
+        name: "sand-column-channel",
+        about: "a column of it in a channel, in three dimensions: surface, how far it runs",
+        run: sand_column::in_space::channel,
+    },
+    Reproduction {
+        name: "vertical-cut",
+        about: "cuts in cohesive soil below and above the critical height: one stands, one falls",
+        run: vertical_cut::reproduce,
     },
     Reproduction {
         name: "u-tube",

@@ -1,5 +1,6 @@
 //! The collapse of a column of sand 0.2 m wide and 0.1 m high against a wall.
 
+pub(super) mod in_space;
 mod pictures;
 mod report;
 pub(super) mod run_out;

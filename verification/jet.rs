@@ -1,0 +1,133 @@
+//! The paper's jet on saturated soil against acceptance values (Figs. 12 to 18): the experiment's own are lost.
+
+use crate::bands::{Band, WITHIN, measured};
+use crate::shared_runs::SharedRuns;
+use alluvium::budget::Account;
+use alluvium::case::Case;
+use alluvium::kernel::WendlandC2;
+use alluvium::parallel::Threads;
+use alluvium::time::LeapFrog;
+use alluvium::verify::jet::Hole;
+use alluvium::verify::plot::{Chart, Series};
+use alluvium::verify::{Conditions, Level, Measured, Parcel, Study};
+use std::ops::ControlFlow;
+
+const CASE: &str = include_str!("cases/jet.toml");
+const SOURCE: &str = "acceptance values of an independent program, Table 3";
+const SLOW: &str = "jet of 20 m/s";
+const SWAPPED: &str = "the most and the least permeable soil exchanged";
+const SPACING: f64 = 0.005;
+const FRACTION: f64 = 0.5;
+const CONDUCTIVITY: f64 = 5e-4;
+/// Instants that are looked at \[s\].
+const TIMES: [f64; 3] = [0.002, 0.005, 0.01];
+
+pub fn studies() -> Vec<Study> {
+    let equations = &["24", "33", "37", "52", "53", "55", "58", "69"];
+    let of = |name: &str, claim: &str, run: fn(&Conditions) -> Measured| {
+        Study::new(name, claim, run).equations(equations).source(SOURCE).level(Level::Full).expect(WITHIN)
+    };
+    vec![
+        of(
+            "jet/hole",
+            "the jet digs 49 ± 5 mm within 10 ms, no fraction leaves 0 to 1, and the water keeps less energy than the \
+             jet brought (values: half widths from the middle of each band)",
+            hole,
+        )
+        .mutant(SLOW),
+        of(
+            "jet/pressure",
+            "pressure stays within −0.25 MPa and 2.5 times that of the jet's stagnation (values: half widths from the \
+             middle of the band)",
+            pressure,
+        ),
+        of(
+            "jet/conductivity",
+            "the more permeable the soil, the deeper the hole (values: half widths from the middle of each band)",
+            conductivity,
+        )
+        .mutant(SWAPPED),
+    ]
+}
+
+/// What was seen of a jet.
+#[derive(Clone)]
+struct Dig {
+    hole: Hole,
+    fractions: [f64; 2],
+    pressures: [f64; 2],
+    /// Kinetic energy at the end over what the jet brought \[-\].
+    kept: f64,
+}
+
+fn dig(conductivity: f64, conditions: &Conditions) -> Dig {
+    static RUNS: SharedRuns<Dig> = SharedRuns::new();
+    let slow = conditions.is(SLOW);
+    RUNS.get(format!("{conductivity} {slow}"), || run(conductivity, if slow { 20.0 } else { 25.0 }))
+}
+
+/// In f64 with the default preset, h = 1.5 Δx and ψ = 0.
+fn run(conductivity: f64, speed: f64) -> Dig {
+    let text = CASE
+        .replace("PRESET", "default")
+        .replace("INTEGRATOR", "leap-frog")
+        .replace("spacing_m = 0.005", "spacing_m = 0.005\nsmoothing_ratio = 1.5")
+        .replace("conductivity_m_per_s = 5.0e-4", &format!("conductivity_m_per_s = {conductivity}"))
+        .replace("[0.0, -25.0]", &format!("[0.0, {:?}]", -speed));
+    let (case, _) = Case::parse("jet", &text).expect("a case");
+    let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
+    let mut run = case.simulation(kernel, LeapFrog::new()).expect("a case");
+    let range = |values: &mut dyn Iterator<Item = f64>, [low, high]: [f64; 2]| {
+        values.fold([low, high], |[low, high], x| [low.min(x), high.max(x)])
+    };
+    // One thread each: the harness runs studies side by side.
+    Threads::new(1).expect("a thread").install(|| {
+        run.start().expect("a start");
+        let start = run.budget();
+        let (mut fractions, mut pressures) = ([f64::MAX, f64::MIN], [f64::MAX, f64::MIN]);
+        for time in TIMES {
+            let _: ControlFlow<()> = run.run_until(time, |_| ControlFlow::Continue(())).expect("a sound run");
+            let water = Parcel::of(run.mixture().water());
+            fractions = range(&mut water.iter().map(|it| it.fraction), fractions);
+            pressures = range(&mut water.iter().map(|it| it.pressure), pressures);
+        }
+        let end = run.budget();
+        let came = start.taken[Account::Inflow] - end.taken[Account::Inflow];
+        let hole = Hole::of(&Parcel::of(run.mixture().soil()), SPACING, FRACTION);
+        Dig { hole, fractions, pressures, kept: end.kinetic / came }
+    })
+}
+
+fn hole(conditions: &Conditions) -> Measured {
+    let Dig { hole, fractions: [least, most], kept, .. } = dig(CONDUCTIVITY, conditions);
+    measured(vec![
+        Band::new("depth [m]", Some(hole.depth()), (0.044, 0.054)),
+        Band::new("least φ_f", Some(least), (-1e-4, 1.0001)),
+        Band::new("largest φ_f", Some(most), (-1e-4, 1.0001)),
+        Band::new("kinetic energy over what came", Some(kept), (0.0, 1.0)),
+    ])
+    .note(format!("width at half the depth over that at a tenth of it: {:.2}", hole.roundness()))
+}
+
+fn pressure(conditions: &Conditions) -> Measured {
+    let [least, most] = dig(CONDUCTIVITY, conditions).pressures;
+    let band = |what, p| Band::new(what, Some(p), (-0.25e6, 0.8e6));
+    measured(vec![band("least pressure [Pa]", least), band("largest pressure [Pa]", most)])
+}
+
+fn conductivity(conditions: &Conditions) -> Measured {
+    let mut soils = [5e-5, 5e-4, 5e-3];
+    if conditions.is(SWAPPED) {
+        soils.reverse();
+    }
+    let holes = soils.map(|k| (k, dig(k, conditions).hole));
+    let depths: Vec<f64> = holes.iter().map(|(_, hole)| hole.depth()).collect();
+    let chart = Chart::new("Jet: the hole after 10 ms", "x [m]", "y [m]");
+    let with = |chart: Chart, (k, hole): &(f64, Hole)| {
+        chart.with(Series::line(&format!("k = {k:e} m/s"), hole.floor.clone()))
+    };
+    let deeper = |pair: &[f64]| Band::new("deeper by [m]", Some(pair[1] - pair[0]), (0.0, 0.175));
+    measured(depths.windows(2).map(deeper).collect())
+        .note(format!("depths {depths:.4?} m"))
+        .picture(&holes.iter().fold(chart, with))
+}

@@ -1,0 +1,79 @@
+//! The paper's U-tube against the exact course of its levels (Figs. 9 and 10).
+
+use crate::bands::{Band, WITHIN, measured};
+use alluvium::case::Case;
+use alluvium::kernel::WendlandC2;
+use alluvium::parallel::Threads;
+use alluvium::time::LeapFrog;
+use alluvium::verify::plot::{Chart, Series};
+use alluvium::verify::u_tube::{Levels, exact_difference, initial_difference};
+use alluvium::verify::{Conditions, Level, Measured, Parcel, Study};
+use std::ops::ControlFlow;
+
+const CASE: &str = include_str!("cases/u_tube.toml");
+const CONDUCTIVITY: f64 = 0.01;
+const PERMEABLE: &str = "conductivity a tenth too large";
+/// The end \[s\], how often it is looked at, and from when on Darcy's law is asked for: the start sloshes.
+const END: f64 = 10.0;
+const INTERVAL: f64 = 0.5;
+const QUIET: f64 = 5.0;
+
+pub fn studies() -> Vec<Study> {
+    let claim = "water seeps from arm to arm as the exact course has it (values: half widths from the middle of each \
+                 band)";
+    vec![
+        Study::new("u-tube/levels", claim, |conditions| compared(&levels(conditions)))
+            .equations(&["37", "52", "55", "58", "67", "69", "80"])
+            .source("(L_o + L/n) z'' + gL/k z' + 2gz = 0, of which Eq. (80) is the slow root")
+            .level(Level::Full)
+            .expect(WITHIN)
+            .mutant(PERMEABLE),
+    ]
+}
+
+/// To [`END`], in f64 with the default preset and h = 1.9 Δx.
+fn levels(conditions: &Conditions) -> Vec<Levels> {
+    let conductivity = if conditions.is(PERMEABLE) { 1.1 * CONDUCTIVITY } else { CONDUCTIVITY };
+    let text = CASE
+        .replace("PRESET", "default")
+        .replace("INTEGRATOR", "leap-frog")
+        .replace("spacing_m = 0.05", "spacing_m = 0.05\nsmoothing_ratio = 1.9")
+        .replace("conductivity_m_per_s = 0.01", &format!("conductivity_m_per_s = {conductivity}"));
+    let (case, _) = Case::parse("U-tube", &text).expect("a case");
+    let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
+    let mut run = case.simulation(kernel, LeapFrog::new()).expect("a case");
+    let mut look = |n: usize| {
+        let time = n as f64 * INTERVAL;
+        let _: ControlFlow<()> = run.run_until(time, |_| ControlFlow::Continue(())).expect("a sound run");
+        Levels::of(time, &Parcel::of(run.mixture().water()))
+    };
+    // One thread each: the harness runs studies side by side.
+    Threads::new(1).expect("a thread").install(|| (0..=(END / INTERVAL) as usize).map(&mut look).collect())
+}
+
+fn compared(levels: &[Levels]) -> Measured {
+    let start = &levels[0];
+    let exact = |it: &Levels| exact_difference(it.time, CONDUCTIVITY);
+    let worst = |of: &dyn Fn(&Levels) -> f64| levels.iter().map(of).fold(0.0, f64::max);
+    let off = |it: &Levels, part: f64| (part - exact(it) / initial_difference()).abs();
+    let by_mass = worst(&|it| off(it, it.by_mass(start) / initial_difference()));
+    let by_surface = worst(&|it| off(it, it.surface / start.surface));
+    let quiet: Vec<&Levels> = levels.iter().filter(|it| it.time > QUIET).collect();
+    let apart = quiet.iter().map(|it| (it.head - it.by_mass(start)).abs()).fold(0.0, f64::max);
+    let ratios = quiet.iter().map(|it| it.darcy_ratio(CONDUCTIVITY));
+    let (least, most) = ratios.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+    let series = |of: &dyn Fn(&Levels) -> f64| levels.iter().map(|it| (it.time, of(it))).collect::<Vec<_>>();
+    let chart = Chart::new("U-tube: difference of the levels", "time [s]", "δZ [m]")
+        .with(Series::line("exact", series(&exact)))
+        .with(Series::points("by mass", series(&|it| it.by_mass(start))))
+        .with(Series::points("by free surface", series(&|it| it.surface)))
+        .with(Series::points("by head", series(&|it| it.head)));
+    measured(vec![
+        Band::new("by mass, of the start", Some(by_mass), (0.0, 0.01)),
+        Band::new("by free surface, of its start", Some(by_surface), (0.0, 0.01)),
+        Band::new("head less that by mass [m]", Some(apart), (0.0, 0.015)),
+        Band::new("least q L/(k Δh)", Some(least), (0.96, 1.04)),
+        Band::new("largest q L/(k Δh)", Some(most), (0.96, 1.04)),
+    ])
+    .picture(&chart)
+}
