@@ -15,7 +15,7 @@ use core::f64::consts::TAU;
 /// Radius, or length, and height of a column \[m\].
 const LENGTH: f64 = 0.1;
 /// Width of the channel \[m\].
-const WIDTH: f64 = 0.05;
+const WIDTH: f64 = 0.075;
 /// How far the floor reaches around the round column's axis \[m\].
 const FLOOR: f64 = 0.4;
 const SPACING: f64 = 0.00625;
@@ -131,8 +131,8 @@ fn table(piles: &[(f64, Pile)], results: &Results) -> String {
         let far = format!("{front:.3} m, (L∞ − L₀)/L₀ = {:.2}", run_out(front, LENGTH));
         bars.add("end of the heap", far, "none", None);
         bars.add("farthest grain", format!("{:.3} m", pile.farthest()), "none", None);
-        let height = format!("{:.3} m", pile.surface(0.0));
-        bars.add("height at the axis, or the wall", height, "none", None);
+        let height = pile.profile().points().iter().map(|(_, y)| *y).fold(0.0, f64::max);
+        bars.add("height of the heap", format!("{height:.3} m"), "none", None);
         let speed = format!("{:.1e} m/s", pile.rms_velocity());
         bars.add(&format!("rms velocity at {time} s"), speed, "none", None);
     }
