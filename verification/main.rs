@@ -14,9 +14,11 @@
 mod balance;
 mod bands;
 mod bench;
+mod bits;
 #[cfg(feature = "case")]
 mod budgets;
 mod channel;
+mod clouds;
 mod consolidation;
 mod coupled_waves;
 mod dam_break;
@@ -27,14 +29,17 @@ mod driver_turning;
 mod drops;
 mod fits;
 mod flags;
+mod frames;
 mod identity;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
+mod invariance;
 #[cfg(feature = "case")]
 mod jet;
 mod journal;
 mod kernels;
 mod lattice_sums;
+mod layers;
 mod manufactured;
 mod mixture_rates;
 mod motions;
@@ -58,6 +63,7 @@ mod soil_rates;
 mod soil_walls;
 mod soil_waves;
 mod sound;
+mod spinning;
 mod still_tank;
 mod tanks;
 mod taylor_green;
@@ -90,6 +96,10 @@ fn studies() -> Vec<Study> {
         #[cfg(feature = "implicit")]
         implicit_drag::studies(),
         manufactured::studies(),
+        invariance::studies(),
+        spinning::studies(),
+        bits::studies(),
+        layers::studies(),
         precision::studies(),
         pore_volumes::studies(),
         settling::studies(),

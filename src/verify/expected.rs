@@ -158,13 +158,19 @@ impl core::fmt::Display for Expected {
                 write!(f, "expected {order:.3} ± {tolerance:.3}")
             }
             Self::Value { value, tolerance } => write!(f, "expected {value} ± {tolerance:e}"),
-            Self::Bound { largest } => write!(f, "expected at most {largest:e}"),
+            Self::Bound { largest } => write!(f, "expected at most {}", short(*largest)),
             Self::Plateau { value, tolerance } => {
                 write!(f, "expected to stay at {value:.4e} ± {} %", 100.0 * tolerance)
             }
             Self::Identical => write!(f, "expected none"),
         }
     }
+}
+
+/// In powers of ten, with all digits of a round number and four of another.
+fn short(x: f64) -> String {
+    let all = format!("{x:e}");
+    if all.len() > 9 { format!("{x:.3e}") } else { all }
 }
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ pub(in crate::verify) enum Mistake {
     Spin,
     /// The compression is off by 0.1 %.
     Compression,
+    /// The hydrostatic slope is off by 5 %.
+    Slope,
     /// The stored energy is off by 0.1 %.
     Energy,
     /// A memory is admitted half of the way.
@@ -70,7 +72,8 @@ impl<T: Real, M: Material<T>> Material<T> for MistakenLaw<M> {
         self.law.compression(pressure) * self.factor(Mistake::Compression)
     }
     fn hydrostatic_slope(&self) -> (T, T) {
-        self.law.hydrostatic_slope()
+        let (slope, bend) = self.law.hydrostatic_slope();
+        (slope * T::of(if self.is(Mistake::Slope) { 1.05 } else { 1.0 }), bend)
     }
     fn needs_velocity_gradient(&self) -> bool {
         self.law.needs_velocity_gradient()

@@ -1,11 +1,12 @@
 //! What every law of drag must obey.
 
+use super::drag_pairs::{NO_REACTION, UNBOOKED, energy, momentum};
 use super::{by_precision, worst};
 use crate::material::DragLaw;
 use crate::real::Real;
 use crate::verify::{Conditions, Expected, Measured, Study};
 
-const NEGATIVE: &str = "coefficient of the other sign";
+pub(super) const NEGATIVE: &str = "coefficient of the other sign";
 const FALLING: &str = "coefficient over the square of the slip";
 const DRY: &str = "coefficient over the cube of the fraction";
 const TANGENT: &str = "slip left out of the tangent";
@@ -14,8 +15,8 @@ const FRACTIONS: [f64; 8] = [0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 1.0];
 const DENSITIES: [f64; 3] = [700.0, 1000.0, 1300.0];
 const SLIPS: [f64; 7] = [0.0, 1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0];
 
-/// Studies of a law of drag: `sign`, `rising`, `dry`, `tangent` and, where it says that it does not know the
-/// slip, `slip`. They look at fractions φ_f from 5 to 100 %, densities about that of water, slips up to 10 m/s.
+/// Studies of a law of drag: `sign`, `rising`, `dry`, `tangent`; on pairs of particles of soil and water `momentum`
+/// and `energy`; and, where it says that it does not know the slip, `slip`. They look at fractions φ_f from 5 to 100 %, densities about that of water, slips up to 10 m/s.
 pub fn drag<T: Real, L: DragLaw<T> + Clone + 'static>(name: &str, law: L) -> Vec<Study> {
     let study = |what: &str, claim: &str, measure: fn(&L, &Conditions) -> Measured| {
         let law = law.clone();
@@ -39,7 +40,27 @@ pub fn drag<T: Real, L: DragLaw<T> + Clone + 'static>(name: &str, law: L) -> Vec
         study("tangent", "the tangent is the slope of drag over the slip, relative", tangent::<T, L>)
             .source("differences of fourth order")
             .expect(Expected::Bound { largest: by_precision::<T, _>(2e-3, 1e-2) });
+    let bar = Expected::Bound { largest: by_precision::<T, _>(1e-13, 1e-5) };
+    let momentum = study(
+        "momentum",
+        "soil and water drag each other equally, pair by pair (values: what is left over of both forces)",
+        momentum::<T, L>,
+    )
+    .equations(&["37", "55", "58"])
+    .source("Newton's third law")
+    .expect(bar);
+    let energy = study(
+        "energy",
+        "drag never creates energy, and the ledger has what it takes, pair by pair (values: parts of the power)",
+        energy::<T, L>,
+    )
+    .equations(&["37", "55", "58"])
+    .source("second law of thermodynamics")
+    .expect(bar);
+    let energy = with(energy, NEGATIVE, drags);
     let mut studies = vec![
+        with(momentum, NO_REACTION, drags),
+        with(energy, UNBOOKED, drags),
         with(sign, NEGATIVE, drags),
         with(rising, FALLING, drags),
         with(dry, DRY, drags),

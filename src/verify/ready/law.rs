@@ -18,7 +18,9 @@ const ENERGY: &str = "stored energy off by 0.1 %";
 const HALFWAY: &str = "admitted half of the way";
 const LOSS: &str = "losses of the other sign";
 const VISCOUS: &str = "stress that depends on the rate";
-const MISTAKES: [(&str, Mistake); 6] = [
+const SLOPE: &str = "hydrostatic slope off by 5 %";
+const MISTAKES: [(&str, Mistake); 7] = [
+    (SLOPE, Mistake::Slope),
     (SPIN, Mistake::Spin),
     (COMPRESSION, Mistake::Compression),
     (ENERGY, Mistake::Energy),
@@ -105,7 +107,7 @@ fn compressible<T: Real, M: Material<T>>(name: &str, law: &M) -> Vec<Study> {
     if bears_suction::<T, M>(law) {
         let claim = "the hydrostatic slope and its bend are those of dp = ρ̃ d(g·x)";
         let standing = study::<T, M>(name, law, "hydrostatic", claim, standing::<T, M>, [1e-3, 2e-2]);
-        studies.push(standing.source("differences of the pressure"));
+        studies.push(standing.source("differences of the pressure").mutant(SLOPE));
     }
     studies
 }

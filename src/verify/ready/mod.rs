@@ -19,6 +19,7 @@
 //! `studies.retain(|study| !study.name.ends_with("/rate"))`.
 
 mod drag;
+mod drag_pairs;
 mod integrator;
 mod kernel;
 mod law;

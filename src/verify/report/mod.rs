@@ -52,13 +52,14 @@ pub(super) fn verdict(outcome: &Outcome) -> &'static str {
     }
 }
 
+/// How many were good, or that there was none.
 pub(super) fn tally<'a>(outcomes: impl Iterator<Item = &'a Outcome>, word: &str) -> String {
     let (mut good, mut all) = (0, 0);
     for outcome in outcomes {
         good += usize::from(outcome.is_good());
         all += 1;
     }
-    format!("{good} of {all} {word}")
+    if all == 0 { "not run".to_owned() } else { format!("{good} of {all} {word}") }
 }
 
 #[cfg(test)]
@@ -80,8 +81,12 @@ mod tests {
         assert!(text.contains("- studies: 1 of 1 passed\n- mutants: 1 of 2 caught"));
         assert!(text.contains("**SURVIVED**") && text.contains("| 1.0000e-1 | 1.000000e-2 | 2.000 |"));
         assert!(text.find("rest | ").unwrap() < text.find("mutant: bad").unwrap());
+        assert!(report.html().contains("<tr><th>deliberate mistakes<td>1 of 2 caught"));
         let json = report.json();
         assert!(json.contains("\"commit\":\"abc\"") && json.contains("\"mutant\":\"bad\",\"good\":true"));
         assert_eq!(json.matches('{').count(), json.matches('}').count());
+        let alone = Report::new(Environment::detect(), &studies, &outcomes[2..]);
+        assert!(alone.markdown().contains("- studies: 1 of 1 passed\n- mutants: not run\n"));
+        assert!(alone.html().contains("<tr><th>deliberate mistakes<td>not run"));
     }
 }
