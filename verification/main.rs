@@ -41,6 +41,7 @@ mod kernels;
 mod lattice_sums;
 mod layers;
 mod manufactured;
+mod mistaken_motions;
 mod mixture_rates;
 mod motions;
 mod operators;
@@ -48,6 +49,7 @@ mod operators_exact;
 mod pore_volumes;
 mod powers;
 mod precision;
+mod precision_places;
 mod ready;
 #[cfg(feature = "case")]
 mod sand_column;
@@ -101,6 +103,7 @@ fn studies() -> Vec<Study> {
         bits::studies(),
         layers::studies(),
         precision::studies(),
+        precision_places::studies(),
         pore_volumes::studies(),
         settling::studies(),
         consolidation::studies(),

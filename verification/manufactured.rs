@@ -1,9 +1,10 @@
 //! Manufactured motions in time: what is of second order, and what stays.
 
+use crate::mistaken_motions::Mistake;
 #[cfg(feature = "implicit")]
 use crate::motions::together_implicitly;
 use crate::motions::{
-    Mistake, Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together, velocities,
+    Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together, velocities,
 };
 use crate::seepage::Powered;
 use crate::soil::SpinningBack;

@@ -1,10 +1,12 @@
 //! Particles that follow a manufactured motion, and how far from it they end.
 
+use crate::mistaken_motions::Mistake;
 use crate::soil::elastic_of;
-use crate::water::{WaterMixture, bare, periodic, water};
+use crate::water::{WaterMixture, bare, water};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, DragLaw, Material, Soil, SoilMemory, Unyielding, Water};
 use alluvium::mixture::{ArtificialViscosity, CouplingForm, DensityDiffusion, Mixture, Phase, Source};
+use alluvium::neighbours::Periodic;
 use alluvium::simulation::Simulation;
 use alluvium::time::{Integrator, StepSize};
 use alluvium::verify::manufactured::{Both, Fields, WaterLaw, Wave, WaveOfBoth};
@@ -48,75 +50,18 @@ pub struct Run {
     pub steps: usize,
     /// Out of place at the start, over the spacing.
     pub jitter: f64,
+    /// How far from the origin the box begins along every axis: a whole number of periods of the motion \[m\].
+    pub origin: f64,
     /// Whether gradients are corrected.
     pub corrected: bool,
     /// A mistake in the sources: to the particles the same as one in their equations.
     pub mistake: Option<Mistake>,
 }
 
-/// A term of the mixture's equations that is wrong.
-#[derive(Clone, Copy, Debug)]
-pub enum Mistake {
-    /// −φ_s ∇p of the soil is left out.
-    NoBuoyancy,
-    /// The soil does not feel the drag.
-    OneSidedDrag,
-    /// The water's pressure by the volume fraction of the start.
-    FrozenReference,
-    /// σ_xx for σ_yy and back, in the soil's momentum.
-    SwappedStress,
-}
-
-impl Mistake {
-    /// What it adds to the accelerations of soil and water \[m/s²\].
-    fn adds<const D: usize>(self, x: &[f64; D], t: f64) -> [[f64; D]; 2] {
-        const STEP: f64 = 1e-5;
-        let slope = |field: &dyn Fn(&[f64; D]) -> f64, k: usize| {
-            let shifted = |by: f64| core::array::from_fn(|a| if a == k { x[a] + by } else { x[a] });
-            (field(&shifted(STEP)) - field(&shifted(-STEP))) / (2.0 * STEP)
-        };
-        let pressure = |x: &[f64; D]| BOTH.pressure(&MOTION, x, t);
-        let soil_fraction = MOTION.soil_fraction(x, t);
-        let of_both = |soil: &dyn Fn(usize) -> f64, water: &dyn Fn(usize) -> f64| {
-            [core::array::from_fn(soil), core::array::from_fn(water)]
-        };
-        match self {
-            Self::NoBuoyancy => of_both(&|k| slope(&pressure, k) / BOTH.grain_density, &|_| 0.0),
-            Self::OneSidedDrag => {
-                let slip = |k: usize| MOTION.water_velocity(x, t)[k] - MOTION.soil_velocity(x, t)[k];
-                let water: f64 = MOTION.at(x, t)[4];
-                let drag = (1.0 - soil_fraction) * water * BOTH.resistance;
-                of_both(&|k| -drag * slip(k) / (BOTH.grain_density * soil_fraction), &|_| 0.0)
-            }
-            Self::FrozenReference => {
-                let frozen = |x: &[f64; D]| {
-                    let water: f64 = MOTION.at(x, t)[4];
-                    BOTH.water
-                        .pressure(water / WATER.reference_density / (1.0 - MOTION.soil_fraction(x, 0.0)))
-                };
-                let excess = |x: &[f64; D]| frozen(x) - pressure(x);
-                let density: f64 = MOTION.at(x, t)[4];
-                of_both(&|k| -slope(&excess, k) / BOTH.grain_density, &|k| {
-                    -(1.0 - soil_fraction) * slope(&excess, k) / density
-                })
-            }
-            Self::SwappedStress => {
-                let difference = |x: &[f64; D]| {
-                    let stress = MOTION.stress(x, t);
-                    MOTION.soil_fraction(x, t) * (stress.0[1] - stress.0[0])
-                };
-                let over = 1.0 / (BOTH.grain_density * soil_fraction);
-                let sign = [1.0, -1.0, 0.0];
-                of_both(&|k| sign[k] * slope(&difference, k) * over, &|_| 0.0)
-            }
-        }
-    }
-}
-
 impl Run {
     /// From the lattice, with corrected gradients, in steps that shrink with the spacing.
     pub fn new(side: usize, ratio: f64) -> Self {
-        Self { side, ratio, steps: 3 * side, jitter: 0.0, corrected: true, mistake: None }
+        Self { side, ratio, steps: 3 * side, jitter: 0.0, origin: 0.0, corrected: true, mistake: None }
     }
     /// An acceleration of soil (0) or water (1) with the mistake, if there is one.
     fn wrong<T: Real, const D: usize>(
@@ -143,7 +88,12 @@ impl Run {
         simulation.into_mixture()
     }
     fn places<const D: usize>(&self, seed: u64) -> Arrangement<D> {
-        Arrangement::jittered(self.side, self.jitter, seed)
+        let mut places = Arrangement::jittered(self.side, self.jitter, seed);
+        places.positions.iter_mut().flatten().for_each(|x| *x += self.origin);
+        places
+    }
+    fn periodic<T: Real, const D: usize>(&self) -> Periodic<T, D> {
+        Periodic::new(Vector::splat(T::of(self.origin)), [Some(T::ONE); D]).expect("a box")
     }
 }
 
@@ -162,15 +112,20 @@ pub fn alone<T: Real, const D: usize>(
     fluid: Water<T>,
     integrator: impl Integrator<T>,
 ) -> WaterMixture<T, D> {
+    run.follow(flow(run, fluid), integrator)
+}
+
+/// The same at the start.
+pub fn flow<T: Real, const D: usize>(run: Run, fluid: Water<T>) -> WaterMixture<T, D> {
     let places = run.places::<D>(1);
     let mut phase = Phase::new(fluid);
     let pressure = |x: &Vector<T, D>| T::of(water_pressure(&x.as_f64(), 0.0));
     phase.add(&places.positions(), T::of(places.volume), pressure).expect("particles");
     phase.set_velocity(|x| Vector::of(water_velocity(&x.as_f64(), 0.0)));
     let mixture = bare(run.ratio * places.spacing, phase)
-        .with_periodic(periodic([1.0; D]))
+        .with_periodic(run.periodic())
         .with_force(|x, t| Vector::of(WATER.source(&FLOW, &x.as_f64(), t)));
-    run.follow(if run.corrected { mixture.with_gradient_correction() } else { mixture }, integrator)
+    if run.corrected { mixture.with_gradient_correction() } else { mixture }
 }
 
 /// Relative errors of its velocity and its pressure.
@@ -279,7 +234,7 @@ fn mixed<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
     let none = ArtificialViscosity { linear: T::ZERO, quadratic: T::ZERO };
     let kernel = WendlandC2::new(T::of(run.ratio * places.spacing)).expect("a length");
     let mixture = Mixture::new(kernel, soil, fluid)
-        .with_periodic(periodic([1.0; D]))
+        .with_periodic(run.periodic())
         .with_drag(drag)
         .with_artificial_viscosity(none)
         .and_then(|mixture| mixture.with_soil_artificial_viscosity(none))
