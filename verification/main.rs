@@ -27,6 +27,7 @@ mod driver;
 mod driver_laws;
 mod driver_turning;
 mod drops;
+mod extrapolation;
 mod fits;
 mod flags;
 mod frames;
@@ -87,6 +88,7 @@ fn studies() -> Vec<Study> {
         dam_break::studies(),
         kernels::studies(),
         lattice_sums::studies(),
+        extrapolation::studies(),
         identity::studies(),
         ready::studies(),
         operators::studies(),

@@ -157,7 +157,7 @@ impl core::fmt::Display for Expected {
                 let (order, tolerance) = (0.5 * (at_least + at_most), 0.5 * (at_most - at_least));
                 write!(f, "expected {order:.3} ± {tolerance:.3}")
             }
-            Self::Value { value, tolerance } => write!(f, "expected {value} ± {tolerance:e}"),
+            Self::Value { value, tolerance } => write!(f, "expected {value} ± {}", short(*tolerance)),
             Self::Bound { largest } => write!(f, "expected at most {}", short(*largest)),
             Self::Plateau { value, tolerance } => {
                 write!(f, "expected to stay at {value:.4e} ± {} %", 100.0 * tolerance)
