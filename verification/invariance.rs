@@ -18,6 +18,7 @@ const STRESS: &str = "the soil's stress is not turned along";
 const CORNER: &str = "the search forgets one corner";
 const MIXED_UP: &str = "two velocities belong to each other's particles";
 
+const VALUES: &str = "(values: differences over spacing, largest speed, compression, stress)";
 const MISTAKES: [(&str, Mistake); 5] = [
     (ABSOLUTE, Mistake::AbsoluteSpeed),
     (GRAVITY, Mistake::GravityStays),
@@ -75,8 +76,10 @@ fn moved<T: Real, const D: usize>(name: &str, cloud: Cloud<D>) -> Study {
     let frame = Frame { velocity, ..Frame::own() };
     let study = Study::new(
         name,
-        "a uniform velocity of ten times the flow's changes nothing but places, in a box that repeats itself \
-         (values: differences over spacing, largest speed, compression, stress)",
+        format!(
+            "a uniform velocity of ten times the flow's changes nothing but places, in a box that repeats itself \
+             {VALUES}"
+        ),
         move |conditions| compare::<T, D>(cloud, &frame, cloud, mistake(conditions)),
     );
     study
@@ -90,9 +93,7 @@ fn other_axes<T: Real, const D: usize>(name: &str, cloud: Cloud<D>, turn: [[f64;
     let frame = Frame { turn, velocity: [0.0; D] };
     let study = Study::new(
         name,
-        format!(
-            "a free cloud {how}, and gravity with it, becomes what it would have, {how} (values: as above)"
-        ),
+        format!("a free cloud runs the same {how}, and gravity with it {VALUES}"),
         move |conditions| compare::<T, D>(cloud, &frame, cloud, mistake(conditions)),
     )
     .equations(&["21", "34", "35", "52", "53", "55", "58", "65", "66"])
@@ -107,8 +108,10 @@ fn reordered<T: Real, const D: usize>(name: &str, cloud: Cloud<D>) -> Study {
     let shuffled = Cloud { order: 17, ..cloud };
     Study::new(
         name,
-        "particles given in another order become the same, to rounding: those of a cell are added up in the \
-         order in which they came (values: as above)",
+        format!(
+            "particles given in another order become the same, to rounding: those of a cell are added up in the \
+             order in which they came {VALUES}"
+        ),
         move |conditions| compare::<T, D>(cloud, &Frame::own(), shuffled, mistake(conditions)),
     )
     .source("numbers are names; bar: ε N L/Δx, every rounding of N steps one way")
