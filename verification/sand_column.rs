@@ -85,6 +85,7 @@ fn collapse(spacing: f64, conditions: &Conditions) -> Heap {
         .replace("PRESET", "default")
         .replace("INTEGRATOR", "leap-frog")
         .replace("friction_angle_deg = 19.8", angle)
+        .replace("[[soil.block]]", "[soil.stress_regularisation]\nevery_steps = 200\n\n[[soil.block]]")
         .replace("spacing_m = 0.005", &format!("spacing_m = {spacing}"));
     let (case, _) = Case::parse("sand column", &text).expect("a case");
     let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
