@@ -19,6 +19,18 @@ impl Band {
     }
 }
 
+/// The largest number, not below zero; NaN if any is.
+pub fn worst(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |worst, x| if x.is_nan() || x > worst { x } else { worst })
+}
+
+/// The least and the largest number; NaN if any is.
+pub fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    numbers.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+        [if x.is_nan() || x < least { x } else { least }, if x.is_nan() || x > most { x } else { most }]
+    })
+}
+
 /// Distances from the middle of each band in half widths, with the numbers themselves as a note.
 pub fn measured(bands: Vec<Band>) -> Measured {
     let number = |band: &Band| format!("{} {:.4e}", band.what, band.value);

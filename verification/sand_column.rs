@@ -59,7 +59,7 @@ fn rest(spacing: f64) -> Study {
         ])
     })
     .equations(&["24", "26", "55"])
-    .source("the weight of the heap; acceptance values of an independent program")
+    .source("the weight of the heap, ρgH = 2.6 kPa")
 }
 
 /// The column after its collapse.

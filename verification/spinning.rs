@@ -3,6 +3,7 @@
 //! Seen in one evaluation: rates do not know centrifugal force. Gradients are corrected, which makes them exact for
 //! a rotation, and drag acts along the line between particles.
 
+use crate::bands::worst;
 use crate::clouds::{Both, Cloud, Made};
 use crate::frames::Frame;
 use crate::soil::SpinningBack;
@@ -82,11 +83,11 @@ fn compare<T: Real, const D: usize>(cloud: Cloud<D>, conditions: &Conditions) ->
             ("stresses", turned, tensor(&b.stress)),
         ];
         for (what, expected, found) in pairs {
-            let largest = |x: &mut dyn Iterator<Item = f64>| x.fold(0.0_f64, |most, x| most.max(x.abs()));
-            let size = largest(&mut expected.iter().copied());
-            if size > 0.0 {
-                let off = largest(&mut expected.iter().zip(&found).map(|(a, b)| b - a)) / size;
-                values.push((format!("{what} of {}", a.of), off));
+            let size = worst(expected.iter().map(|x| x.abs()));
+            let off = worst(expected.iter().zip(&found).map(|(a, b)| (b - a).abs()));
+            // What has no rate of this kind must not get one.
+            if size > 0.0 || off != 0.0 {
+                values.push((format!("{what} of {}", a.of), off / size));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The paper's U-tube against the exact course of its levels (Figs. 9 and 10).
 
-use crate::bands::{Band, WITHIN, measured};
+use crate::bands::{Band, WITHIN, measured, range, worst};
 use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
@@ -14,7 +14,7 @@ const CASE: &str = include_str!("cases/u_tube.toml");
 const CONDUCTIVITY: f64 = 0.01;
 const PERMEABLE: &str = "conductivity a tenth too large";
 /// The end \[s\], how often it is looked at, and from when on Darcy's law is asked for: the start sloshes.
-const END: f64 = 10.0;
+const END: f64 = 20.0;
 const INTERVAL: f64 = 0.5;
 const QUIET: f64 = 5.0;
 
@@ -54,14 +54,12 @@ fn levels(conditions: &Conditions) -> Vec<Levels> {
 fn compared(levels: &[Levels]) -> Measured {
     let start = &levels[0];
     let exact = |it: &Levels| exact_difference(it.time, CONDUCTIVITY);
-    let worst = |of: &dyn Fn(&Levels) -> f64| levels.iter().map(of).fold(0.0, f64::max);
     let off = |it: &Levels, part: f64| (part - exact(it) / initial_difference()).abs();
-    let by_mass = worst(&|it| off(it, it.by_mass(start) / initial_difference()));
-    let by_surface = worst(&|it| off(it, it.surface / start.surface));
+    let by_mass = worst(levels.iter().map(|it| off(it, it.by_mass(start) / initial_difference())));
+    let by_surface = worst(levels.iter().map(|it| off(it, it.surface / start.surface)));
     let quiet: Vec<&Levels> = levels.iter().filter(|it| it.time > QUIET).collect();
-    let apart = quiet.iter().map(|it| (it.head - it.by_mass(start)).abs()).fold(0.0, f64::max);
-    let ratios = quiet.iter().map(|it| it.darcy_ratio(CONDUCTIVITY));
-    let (least, most) = ratios.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+    let apart = worst(quiet.iter().map(|it| (it.head - it.by_mass(start)).abs()));
+    let [least, most] = range(quiet.iter().map(|it| it.darcy_ratio(CONDUCTIVITY)));
     let series = |of: &dyn Fn(&Levels) -> f64| levels.iter().map(|it| (it.time, of(it))).collect::<Vec<_>>();
     let chart = Chart::new("U-tube: difference of the levels", "time [s]", "δZ [m]")
         .with(Series::line("exact", series(&exact)))

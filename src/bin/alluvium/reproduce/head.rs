@@ -1,6 +1,6 @@
 //! How every reproduction begins: the head of its case file, and of its report.
 
-use crate::arguments::ReproduceOptions;
+use crate::arguments::{PresetName, ReproduceOptions};
 use crate::run::Finished;
 use alluvium::case::{Case, StepSize};
 
@@ -29,4 +29,12 @@ pub fn of_report(title: &str, matter: &str, case: &Case, finished: &Finished, mo
         case.end_time,
         finished.wall_clock
     )
+}
+
+/// Degrees of dilatancy: none for soil that flows at a constant volume; the paper's flow rule is associated.
+pub fn dilatancy(preset: PresetName, friction_angle: f64) -> f64 {
+    match preset {
+        PresetName::Default => 0.0,
+        PresetName::Paper => friction_angle,
+    }
 }

@@ -3,6 +3,7 @@
 mod report;
 pub(super) mod series;
 
+use super::head;
 use super::results::Results;
 use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
 use crate::outcome::Failure;
@@ -48,10 +49,7 @@ struct Jet {
 impl Jet {
     /// Table 3. The paper's flow rule is associated; the default flows at a constant volume.
     fn of_the_paper(options: &ReproduceOptions) -> Self {
-        let dilatancy = match options.preset {
-            PresetName::Default => 0.0,
-            PresetName::Paper => FRICTION_ANGLE,
-        };
+        let dilatancy = head::dilatancy(options.preset, FRICTION_ANGLE);
         let dumps = if options.quick { QUICK_DUMPS.to_vec() } else { DUMPS.to_vec() };
         Self {
             name: "jet".to_owned(),

@@ -64,15 +64,6 @@ fn associated(column: &Column, options: &ReproduceOptions, finished: &Finished) 
     Ok(Beside { run: Run::of(&watch), stopped })
 }
 
-/// Degrees: none for sand that flows at a constant volume, as in the experiment's own computation; the
-/// paper's flow rule is associated.
-fn dilatancy(preset: PresetName) -> f64 {
-    match preset {
-        PresetName::Default => 0.0,
-        PresetName::Paper => FRICTION_ANGLE,
-    }
-}
-
 /// A column against a wall.
 #[derive(Clone, Copy)]
 struct Column {
@@ -83,24 +74,35 @@ struct Column {
     spacing: f64,
     dilatancy: f64,
     dumps: &'static str,
+    /// Whether the default preset regularises the stress.
+    regularised: bool,
 }
 
 impl Column {
     /// Table 2.
     fn of_the_paper(options: &ReproduceOptions) -> Self {
-        let dilatancy = dilatancy(options.preset);
+        let dilatancy = head::dilatancy(options.preset, FRICTION_ANGLE);
         let (name, dumps) = ("sand-column", DUMPS);
-        Self { name, width: WIDTH, height: HEIGHT, floor: FLOOR, spacing: SPACING, dilatancy, dumps }
+        Self {
+            name,
+            width: WIDTH,
+            height: HEIGHT,
+            floor: FLOOR,
+            spacing: SPACING,
+            dilatancy,
+            dumps,
+            regularised: true,
+        }
     }
 
     /// The case as a file: 2650 kg/m³ is taken for the density of the bulk, as Table 2 gives no porosity.
     fn text(&self, options: &ReproduceOptions) -> String {
-        let Self { name, width, height, floor, spacing, dilatancy, dumps } = *self;
-        let regularisation = match options.preset {
-            PresetName::Default => {
+        let Self { name, width, height, floor, spacing, dilatancy, dumps, regularised } = *self;
+        let regularisation = match (regularised, options.preset) {
+            (true, PresetName::Default) => {
                 format!("[soil.stress_regularisation]\nevery_steps = {REGULARISED_EVERY}\n")
             }
-            PresetName::Paper => String::new(),
+            _ => String::new(),
         };
         head::of_case(name, options, dumps)
             + &format!(

@@ -2,7 +2,7 @@
 
 use super::bars::Bars;
 use super::head;
-use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
+use crate::arguments::{OutputOptions, ReproduceOptions};
 use crate::folder::RunFolder;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
@@ -115,10 +115,7 @@ fn run(ratio: f64, spacing: f64, options: &ReproduceOptions, path: &Path) -> Res
 fn case(ratio: f64, spacing: f64, options: &ReproduceOptions) -> Result<(Case, Warnings), Failure> {
     let slope = (45.0 + 0.5 * FRICTION_ANGLE).to_radians().tan();
     let cohesion = DENSITY * GRAVITY * HEIGHT / (3.83 * slope * ratio);
-    let dilatancy = match options.preset {
-        PresetName::Default => 0.0,
-        PresetName::Paper => FRICTION_ANGLE,
-    };
+    let dilatancy = head::dilatancy(options.preset, FRICTION_ANGLE);
     let text = head::of_case(&options.name, options, DUMPS)
         + &format!(
             "[soil]\nreference_density_kg_per_m3 = {DENSITY:?}\nyoungs_modulus_pa = 2.0e6\n\

@@ -1,4 +1,4 @@
-//! Columns of the same sand in three dimensions: round, and between smooth sides.
+//! Columns of the same sand in three dimensions: round, and in a channel that repeats itself sideways.
 
 use super::FRICTION_ANGLE;
 use crate::arguments::ReproduceOptions;
@@ -70,11 +70,12 @@ pub fn channel(options: &ReproduceOptions) -> Result<(), Failure> {
 
 fn text(column: &Column, spacing: f64, options: &ReproduceOptions) -> String {
     let Column { scene, cone, .. } = column;
+    let dilatancy = head::dilatancy(options.preset, FRICTION_ANGLE);
     head::of_case(&options.name, options, DUMPS)
         + &format!(
             "dimension = 3\n[soil]\nreference_density_kg_per_m3 = 2650.0\nvolume_fraction = 1.0\n\
              bulk_modulus_pa = 0.7e6\npoissons_ratio = 0.3\nfriction_angle_deg = {FRICTION_ANGLE:?}\n\
-             dilatancy_angle_deg = 0.0\ncone = \"{cone}\"\n{scene}[particles]\nspacing_m = {spacing:?}\n\
+             dilatancy_angle_deg = {dilatancy:?}\ncone = \"{cone}\"\n{scene}[particles]\nspacing_m = {spacing:?}\n\
              [output]\ndump_times_s = [{DUMPS}]\nhistory_interval_s = 1.0e-3\n\
              fields = [\"velocity\", \"pressure\", \"equivalent_plastic_strain\"]\n"
         )

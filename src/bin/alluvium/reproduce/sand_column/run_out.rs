@@ -1,11 +1,12 @@
 //! How far columns of other shapes run, over the laws of other experiments.
 
-use super::{Column, FRICTION_ANGLE, Watch, dilatancy};
+use super::{Column, FRICTION_ANGLE, Watch};
 use crate::arguments::{OutputOptions, ReproduceOptions};
 use crate::folder::RunFolder;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
+use crate::reproduce::head;
 use crate::run::run_case;
 use alluvium::output::TableWriter;
 use alluvium::verify::sand_column::{Pile, RUN_OUT, ScalingLaw, run_out};
@@ -66,9 +67,18 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
 }
 
 fn column(ratio: f64, dumps: &'static str, spacing: f64, options: &ReproduceOptions) -> Column {
-    let dilatancy = dilatancy(options.preset);
+    let dilatancy = head::dilatancy(options.preset, FRICTION_ANGLE);
     let floor = WIDTH * (2.0 + 4.5 * ratio).ceil();
-    Column { name: "column", width: WIDTH, height: ratio * WIDTH, floor, spacing, dilatancy, dumps }
+    Column {
+        name: "column",
+        width: WIDTH,
+        height: ratio * WIDTH,
+        floor,
+        spacing,
+        dilatancy,
+        dumps,
+        regularised: false,
+    }
 }
 
 /// One column, in a folder of its own.
