@@ -16,7 +16,9 @@ const DENSITIES: [f64; 3] = [700.0, 1000.0, 1300.0];
 const SLIPS: [f64; 7] = [0.0, 1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0];
 
 /// Studies of a law of drag: `sign`, `rising`, `dry`, `tangent`; on pairs of particles of soil and water `momentum`
-/// and `energy`; and, where it says that it does not know the slip, `slip`. They look at fractions φ_f from 5 to 100 %, densities about that of water, slips up to 10 m/s.
+/// and `energy`; and, where it says that it does not know the slip, `slip`. They look at fractions φ_f from 5 to
+/// 100 %, densities about that of water, slips up to 10 m/s. `momentum` is a check of the sums that carry the law: a
+/// law has but one coefficient for both particles of a pair.
 pub fn drag<T: Real, L: DragLaw<T> + Clone + 'static>(name: &str, law: L) -> Vec<Study> {
     let study = |what: &str, claim: &str, measure: fn(&L, &Conditions) -> Measured| {
         let law = law.clone();
