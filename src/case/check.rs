@@ -91,9 +91,11 @@ fn cavitation(reader: &Reader<'_>, water: &Water) {
 
 fn fixed_step(reader: &Reader<'_>, case: &Case) {
     if let StepSize::Fixed(step) = case.time.step {
-        let limit = case.smoothing_length() / case.fastest_wave();
+        let sound = ("h/c", case.smoothing_length() / case.fastest_wave());
+        let pores = case.pore_limit().map_or(sound, |pores| ("h φ/c of the water in the pores", pores));
+        let (name, limit) = if pores.1 < sound.1 { pores } else { sound };
         if step > 0.5 * limit {
-            let why = format!("is more than half of h/c = {limit:.3e} s: expect it to fail");
+            let why = format!("is more than half of {name} = {limit:.3e} s: expect it to fail");
             reader.warning("time.time_step_s", &why, format!("about {:.1e}", 0.2 * limit));
         }
     }

@@ -1,5 +1,8 @@
 //! Who of one constituent is near whom of the other, and the sums between them.
 
+use super::Phase;
+use crate::kernel::Kernel;
+use crate::material::Material;
 use crate::real::Real;
 use crate::space::Vector;
 use crate::summation::{Aligned, Neighbourhood, PairFormula, Sums};
@@ -101,6 +104,18 @@ impl<T: Real, const D: usize> Across<T, D> {
     /// Calls `visit(a, r²)` for the water particles `a` near soil particle `i`.
     pub(super) fn for_each_water_near(&self, i: usize, mut visit: impl FnMut(usize, T)) {
         self.neighbourhood.for_each_neighbour(&self.positions, i, |j, _, r2| visit(j - self.soil, r2));
+    }
+
+    /// S_i = Σ V_a W \[-\]: how much of the surroundings of soil particle `i` water fills.
+    pub(super) fn filled<K: Kernel<T, D>, F: Material<T>>(
+        &self,
+        kernel: &K,
+        water: &Phase<T, D, F>,
+        i: usize,
+    ) -> T {
+        let mut filled = T::ZERO;
+        self.for_each_water_near(i, |a, r2| filled += water.volume(a) * kernel.value(r2));
+        filled
     }
 
     /// The water particles listed for soil particle `i`, near or a little farther.

@@ -181,8 +181,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
             record[D] = soil.grains(i);
-            let normalised = || soil.volume(i) * drag.normalisation(pores.saturation[i]);
-            record[D + 1] = if soil.is_apart(i) { T::ZERO } else { normalised() };
+            record[D + 1] = drag.soil_side(soil, i, || pores.saturation[i]);
             record[D + 2] = pores.pressure[i];
             record[D + 3] = pores.compression[i];
             record[D + 4] = T::ZERO;
@@ -211,8 +210,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let (pores, drag) = (&self.pores, &self.drag);
         let of_soil = |i: usize, record: &mut [T]| {
             record[..D].copy_from_slice(&soil.now.velocity[i].0);
-            let normalised = || soil.volume(i) * drag.normalisation(pores.saturation[i]);
-            record[D] = if soil.is_apart(i) { T::ZERO } else { normalised() };
+            record[D] = drag.soil_side(soil, i, || pores.saturation[i]);
             record[D + 1] = T::ZERO;
         };
         let of_water = |a: usize, record: &mut [T]| {

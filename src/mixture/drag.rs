@@ -43,6 +43,10 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for Slip<K, D> {
     }
 }
 
+/// How much faster than plain drag that of reconstructed velocities may act: slips of waves as short as the kernel are
+/// larger than those of the particles. At most 1.07 of the plain limit's rate was measured on lattices and in disorder.
+pub(crate) const RECONSTRUCTED_HASTE: f64 = 1.1;
+
 /// How soil and water drag each other.
 pub(super) struct Drag<T: Real> {
     pub(super) law: Arc<dyn DragLaw<T>>,
@@ -120,10 +124,28 @@ impl<T: Real> Drag<T> {
         if self.is_normalised && filled >= T::of(0.5) { T::ONE / filled } else { T::ONE }
     }
 
-    /// How much faster than plain drag it may act: reconstructed slips of waves as short as the kernel are larger than
-    /// those of the particles. At most 1.07 of the plain limit's rate was measured on lattices and in disorder.
+    /// The soil's side of K = V_i V_a C_a W/S_i: V_i/S_i \[m³, in 2D m²\] of particle `i`, V_i where weights are not
+    /// normalised, nothing of walls that are apart. `filled` is S_i.
+    ///
+    /// S_i counts the water that drags. Explicit drag that is not reconstructed takes Σ V_a W of the pore pressure for
+    /// it, which is summed anyway and leaves out water so deep in a wall that it has no pressure: soil that sees any of
+    /// that is as a rule not half surrounded by water, so that its weights are not normalised.
+    pub(super) fn soil_side<const D: usize, S: Material<T>>(
+        &self,
+        soil: &Phase<T, D, S>,
+        i: usize,
+        filled: impl FnOnce() -> T,
+    ) -> T {
+        if soil.is_apart(i) {
+            return T::ZERO;
+        }
+        let filled = if self.is_normalised { filled() } else { T::ONE };
+        soil.volume(i) * self.normalisation(filled)
+    }
+
+    /// How much faster than plain drag it may act.
     fn haste(&self) -> T {
-        if self.is_reconstructed { T::of(1.1) } else { T::ONE }
+        if self.is_reconstructed { T::of(RECONSTRUCTED_HASTE) } else { T::ONE }
     }
 
     /// Whether its sums are not those of the plain slip.

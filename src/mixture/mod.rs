@@ -50,6 +50,7 @@ mod wall_stress;
 pub use artificial_stress::ArtificialStress;
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
+pub(crate) use drag::RECONSTRUCTED_HASTE;
 pub use drag_scheme::DragScheme;
 #[cfg(feature = "implicit")]
 pub use implicit_drag::DragSolver;

@@ -86,10 +86,11 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     }
 
     /// Drag of velocities reconstructed between the particles of a pair with the velocity gradients of both (after
-    /// Price & Laibe 2020): the flow's own shear is not taken for slip, so that drag does not damp what soil and
-    /// water do together. Momentum is exact, and drag never creates energy. Not by default: it costs three more
-    /// passes over pairs. Where drag is solved over the step, what reconstruction changes is that at its start: of
-    /// first order in Δt with either scheme. Not beside [`with_projected_drag`](Self::with_projected_drag).
+    /// Price & Laibe 2020): the flow's own shear is not taken for slip, so that drag hardly damps what soil and
+    /// water do together. Momentum is exact, and the rate at which drag takes energy is never negative. Not by default:
+    /// it costs three more passes over pairs. Where drag is solved over the step, what reconstruction changes is that at
+    /// its start: of first order in Δt with either scheme, and that no step then adds kinetic energy is measured, not
+    /// proven. Not beside [`with_projected_drag`](Self::with_projected_drag).
     pub fn with_reconstructed_drag(mut self) -> Self {
         self.coupling.drag.is_reconstructed = true;
         self

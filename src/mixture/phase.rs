@@ -206,7 +206,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         if M::RIGID_GRAINS { self.volume_fraction[i] + self.now.excess[i] } else { self.volume_fraction[i] }
     }
 
-    /// The smallest volume fraction \[-\], but for particles that have hardly any.
+    /// The smallest volume fraction \[-\], but no less than 0.01: a particle that has hardly any would stop the run.
     pub(super) fn least_fraction(&self) -> T {
         self.volume_fraction.iter().copied().fold(T::ONE, Num::min).max(T::of(0.01))
     }

@@ -10,8 +10,8 @@
 //!
 //! $$\mathbf F_{ij} = -\tfrac12\,(w_j T_i + w_i T_j)\,\nabla_i W_{ij},$$
 //!
-//! w the volumes the gradient is summed with. Everything is pairwise equal and opposite, and drag takes Σ K |v*|²:
-//! energy is never created, whatever the velocities, without a limiter.
+//! w the volumes the gradient is summed with. Everything is pairwise equal and opposite, and the rate at which drag takes energy is
+//! Σ K |v*|²: never negative, whatever the velocities, without a limiter.
 
 use super::constituent::Constituent;
 use super::coupling::Coupling;
@@ -139,16 +139,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         self.drag.find_slip(&mut self.across, kernel, (&soil.phase, &water.phase), moment);
         // What of K = V_i V_a C W is the particle's own.
         let (across, drag) = (&self.across, &self.drag);
-        let of_soil = |i: usize| {
-            if soil.phase.is_apart(i) {
-                return T::ZERO;
-            }
-            let mut filled = T::ZERO;
-            if drag.is_normalised {
-                across.for_each_water_near(i, |a, r2| filled += water.phase.volume(a) * kernel.value(r2));
-            }
-            soil.phase.volume(i) * drag.normalisation(filled)
-        };
+        let of_soil = |i: usize| drag.soil_side(&soil.phase, i, || across.filled(kernel, &water.phase, i));
         let of_water = |a: usize| water.phase.volume(a) * drag.coefficient(&water.phase, a);
         let own: [Vec<T>; 2] =
             [(0..soil.phase.len()).map(of_soil).collect(), (0..water.phase.len()).map(of_water).collect()];

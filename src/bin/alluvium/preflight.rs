@@ -63,12 +63,17 @@ fn speeds(soil: &Soil) -> String {
 /// How drag goes through a step, and what it does to motion that soil and water share.
 fn drag(plan: &DragPlan) -> [String; 2] {
     let stiffness = plan.step / plan.stopping_time;
+    let viscosity = format!("{:.3e} m²/s", plan.spurious_viscosity);
+    let viscosity = match plan.is_reconstructed {
+        true => format!("removed by reconstruction (else {viscosity})"),
+        false => viscosity,
+    };
     [
         format!(
             "drag by {}: t_s = {:.3e} s, Δt/t_s = {stiffness:.3e} without its limit; {} ({})",
             plan.law, plan.stopping_time, plan.scheme, plan.why
         ),
-        format!("spurious viscosity of drag between particles: {:.3e} m²/s", plan.spurious_viscosity),
+        format!("spurious viscosity of drag between particles: {viscosity}"),
     ]
 }
 

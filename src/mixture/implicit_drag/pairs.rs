@@ -101,11 +101,7 @@ impl Pairs {
             let mut rows = Rows::default();
             for i in range {
                 if !soil.is_apart(i) {
-                    let mut filled = T::ZERO;
-                    if drag.is_normalised {
-                        across.for_each_water_near(i, |a, r2| filled += water.volume(a) * kernel.value(r2));
-                    }
-                    let volume = (soil.volume(i) * drag.normalisation(filled)).as_f64();
+                    let volume = drag.soil_side(soil, i, || across.filled(kernel, water, i)).as_f64();
                     across.for_each_water_near(i, |a, r2| {
                         rows.push(a, volume * strengths[a] * kernel.value(r2).as_f64());
                     });
