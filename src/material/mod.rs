@@ -97,6 +97,10 @@ pub trait Material<T: Real>: Clone + Debug + Send + Sync + 'static {
     fn pressure(&self, compression: T, memory: &Self::Memory) -> T;
     /// The compression ρ̃/ρ̃₀ − 1 \[-\] at pressure p \[Pa\]: the inverse of [`pressure`](Self::pressure).
     fn compression(&self, pressure: T) -> T;
+    /// The lowest pressure \[Pa\] the law has at any density; −∞ if there is none.
+    fn least_pressure(&self) -> T {
+        -T::INFINITY
+    }
     /// Change of the compression along hydrostatic equilibrium, `d(ρ̃/ρ̃₀)/d(g·x)` \[s²/m²\], to
     /// first order in the compression: `(value at zero, relative change per unit compression)`.
     fn hydrostatic_slope(&self) -> (T, T);

@@ -148,6 +148,10 @@ impl<T: Real> Material<T> for Water<T> {
         if p < self.least { self.least } else { p }
     }
 
+    fn least_pressure(&self) -> T {
+        self.least
+    }
+
     /// `(p/B + 1)^{1/χ} − 1`, the compression in (74).
     fn compression(&self, pressure: T) -> T {
         // Suction beyond −B has no density; the emptiest state is full expansion.

@@ -171,6 +171,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             let fall = setting.gravity - self.phase.wall_acceleration[i];
             let mean: Vector<T, D> = vector_sum(sums, i, sum::LEVER + D);
             pressure = (sums.get(i, sum::PRESSURE) + fall.dot(lever)) / weight;
+            // No lower in a wall than in the material, which may cavitate.
+            pressure = borne(pressure, self.phase.material().least_pressure());
             slip_velocity = mean * (T::ONE / weight) - v_wall;
         }
         if !suction {
@@ -245,6 +247,11 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
 /// Where material fills less of a wall particle's surroundings, rounding alone makes it near.
 const OUT_OF_REACH: f64 = 1e-9;
+
+/// The pressure, or the least the material has; what is not a number stays none.
+pub(super) fn borne<T: Real>(pressure: T, least: T) -> T {
+    if pressure < least { least } else { pressure }
+}
 
 /// Keeps `x/x` finite at `x = 0`.
 fn tiny<T: Real>() -> T {

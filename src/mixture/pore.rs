@@ -4,6 +4,7 @@
 use super::across::Across;
 use super::constituent::Constituent;
 use super::evaluation::vector_sum;
+use super::extrapolation::borne;
 use super::{Phase, WallKind};
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -111,7 +112,7 @@ impl<T: Real> Pores<T> {
         self.pressure = (0..soil.len()).map(|i| over(i, sum::PRESSURE)).collect();
         // v_ai·∇_aW is v_ia·∇_iW.
         self.compression = (0..soil.len()).map(|i| over(i, sum::APPROACH)).collect();
-        self.extrapolate(soil, fall);
+        self.extrapolate(soil, fall, water.phase.material().least_pressure());
         let sums = &self.sums;
         let at = |a: usize, k: usize| sums.get(across.water(a), k);
         self.fraction = (0..water.phase.len()).map(|a| T::ONE - at(a, sum::WEIGHT)).collect(); // (68)
@@ -119,8 +120,13 @@ impl<T: Real> Pores<T> {
     }
 
     /// In a wall water is on one side only, and its mean pressure that of another place: what the water
-    /// between weighs makes up for it, as in Adami et al. (2012).
-    fn extrapolate<const D: usize, S: Material<T>>(&mut self, soil: &Phase<T, D, S>, fall: Vector<T, D>) {
+    /// between weighs makes up for it, as in Adami et al. (2012), down to the least pressure the water has.
+    fn extrapolate<const D: usize, S: Material<T>>(
+        &mut self,
+        soil: &Phase<T, D, S>,
+        fall: Vector<T, D>,
+        least: T,
+    ) {
         self.extrapolation_power = 0.0;
         for i in 0..soil.wall_particles() {
             let weight = self.sums.get(i, sum::WEIGHT);
@@ -128,8 +134,9 @@ impl<T: Real> Pores<T> {
                 continue;
             }
             let lever: Vector<T, D> = vector_sum(&self.sums, i, sum::LEVER);
-            let beyond = fall.dot(lever) / weight;
-            self.pressure[i] += beyond;
+            let mean = self.pressure[i];
+            self.pressure[i] = borne(mean + fall.dot(lever) / weight, least);
+            let beyond = self.pressure[i] - mean;
             let work = soil.grains(i) * beyond * self.sums.get(i, sum::APPROACH);
             self.extrapolation_power += work.as_f64();
         }

@@ -3,7 +3,7 @@
 
 use crate::case_soil::{Mistake, each_is_named, read};
 use crate::fingerprint;
-use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw};
+use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw, StepLimit};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, DragLaw, Ergun, Forchheimer, KozenyCarman, NoDrag, PoreFluid};
 use alluvium::mixture::{CouplingForm, DragScheme, Mixture, Slip, VolumeFraction, WallKind};
@@ -163,15 +163,36 @@ fn water_cavitates_where_the_case_says() {
     assert_eq!(mixture(JET).water().material().cavitation(), f64::NEG_INFINITY);
 }
 
+/// Tables and keys of a case, those in comments too.
+fn keys(text: &str) -> Vec<(String, String)> {
+    let mut table = String::new();
+    let mut keys = Vec::new();
+    for line in text.lines().map(|line| line.trim_start_matches("# ")) {
+        if line.starts_with('[') {
+            line.split_whitespace().next().unwrap().clone_into(&mut table);
+        } else if let Some((key, _)) = line.split_once(" = ") {
+            keys.push((table.clone(), key.to_owned()));
+        }
+    }
+    keys
+}
+
 #[test]
 fn every_key_of_mixtures_is_documented() {
     let text = include_str!("../../docs/case-format.md");
-    for case in [JET, TUBE] {
-        for line in read(case).0.to_string().lines().filter(|line| line.contains(" = ")) {
-            let key = line.split(" = ").next().unwrap();
-            assert!(text.contains(&format!("{key} = ")) || text.contains(&format!("`{key}`")), "{key}");
+    let documented: Vec<_> =
+        text.split("```toml\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+    let documented: Vec<_> = documented.into_iter().flat_map(keys).collect();
+    let cavitating = JET.replacen("[water]", "[water]\ncavitation_pressure_pa = -1e4", 1);
+    for case in [JET, TUBE, &cavitating] {
+        for key in keys(&read(case).0.to_string()) {
+            assert!(documented.contains(&key), "{} {} is not documented", key.0, key.1);
         }
     }
+    // A key of another table does not count, nor a longer one that ends as it does.
+    let of = |table: &str, key: &str| documented.contains(&(table.to_owned(), key.to_owned()));
+    assert!(of("[water]", "cavitation_pressure_pa") && !of("[mixture]", "cavitation_pressure_pa"));
+    assert!(of("[mixture]", "reconstructed_drag") && !of("[mixture]", "drag_pa") && !of("[water]", "drag"));
 }
 
 /// The jet with another law of drag, in water of this viscosity.
@@ -241,6 +262,33 @@ fn the_scheme_of_drag_follows_its_stiffness() {
     assert_eq!(said("explicit").scheme, DragScheme::Explicit);
     assert_eq!(said("second-order").scheme, DragScheme::SecondOrder);
     assert_eq!(plan(&format!("preset = \"paper\"\n{}", at("1e-6"))).scheme, DragScheme::Explicit);
+}
+
+#[test]
+fn a_fixed_step_beyond_half_of_what_pores_bear_is_doubtful() {
+    let of = |fraction: &str, step: &str| {
+        let text = JET.replace("volume_fraction = 0.5", &format!("volume_fraction = {fraction}"));
+        assert!(!text.contains("[time]"));
+        let (_, warnings) = read(&format!("{text}\n[time]\ntime_step_s = {step}\n"));
+        let of_the_step = warnings.problems.iter().find(|p| p.key == "time.time_step_s");
+        of_the_step.map(|p| p.what.clone())
+    };
+    // h φ/c is 3e-5 s at φ = 0.5, and h/c 5.5e-5 s.
+    assert_eq!(of("0.5", "1.4e-5"), None);
+    assert!(of("0.5", "1.6e-5").unwrap().contains("h φ/c of the water in the pores = 3.000e-5 s"));
+    assert!(of("0.01", "2.8e-5").unwrap().contains("half of h/c = 5."));
+}
+
+#[test]
+fn what_reconstruction_changes_is_told_before() {
+    let plan = |text: &str| (read(text).0.drag_plan().unwrap(), read(text).0.step_limits());
+    let explicit = JET.replacen("[mixture]", "[mixture]\ndrag_scheme = \"explicit\"", 1);
+    let (plain, limits) = plan(&explicit);
+    let (told, shorter) = plan(&explicit.replacen("[mixture]", "[mixture]\nreconstructed_drag = true", 1));
+    assert!(told.is_reconstructed && !plain.is_reconstructed);
+    assert_eq!(told.spurious_viscosity, plain.spurious_viscosity, "what there would be");
+    let drag = |limits: &[StepLimit]| limits.iter().find(|limit| limit.name == "drag").unwrap().step;
+    assert!((drag(&limits) / drag(&shorter) - 1.1).abs() < 1e-12, "a tenth shorter");
 }
 
 #[test]

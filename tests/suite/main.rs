@@ -10,6 +10,7 @@ mod case_mixture;
 mod case_soil;
 #[cfg(feature = "case")]
 mod case_soil_build;
+mod cavitation;
 mod determinism;
 mod drag_laws;
 mod drag_limit;
