@@ -11,6 +11,7 @@ mod case_soil;
 #[cfg(feature = "case")]
 mod case_soil_build;
 mod cavitation;
+mod coupled_bits;
 mod determinism;
 mod drag_laws;
 mod drag_limit;

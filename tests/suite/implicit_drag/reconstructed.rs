@@ -122,6 +122,51 @@ fn however_stiff_the_common_motion_stays() {
     assert!(left.windows(2).all(|pair| pair[1] <= pair[0]), "it never grows: {left:?}");
 }
 
+/// The largest growth in a step of 60, from wild velocities on a random heap, of the kinetic energy and of the energy
+/// ½ v·(M + Δt L) v, in a step Δt of `stiffness` stopping times; L of plain drag, whose power is v·L v.
+fn growth(scheme: DragScheme, stiffness: f64) -> [f64; 2] {
+    let (none, k) = (ArtificialViscosity { linear: 0.0, quadratic: 0.0 }, 1e-8);
+    let make = |scheme: DragScheme| {
+        let mixture = heap(By::Nothing).with_drag(darcy(k)).with_drag_scheme(scheme);
+        mixture.with_artificial_viscosity(none).unwrap().with_soil_artificial_viscosity(none).unwrap()
+    };
+    let mut plain = make(DragScheme::Explicit);
+    plain.evaluate().unwrap();
+    // So short that nothing but drag acts.
+    let dt = stiffness * plain.limits().drag;
+    let mut mixture = make(scheme).with_reconstructed_drag();
+    let mut sizes = |mixture: &Both<f64>| {
+        plain.soil_mut().velocities_mut().copy_from_slice(mixture.soil().velocities());
+        plain.water_mut().velocities_mut().copy_from_slice(mixture.water().velocities());
+        plain.evaluate().unwrap();
+        let kinetic = plain.budget().kinetic;
+        [kinetic, kinetic + 0.5 * dt * plain.exchange_rate().taken[Account::Drag]]
+    };
+    let (mut before, mut most) = (sizes(&mixture), [f64::NEG_INFINITY; 2]);
+    let start = before[0];
+    for _ in 0..60 {
+        mixture.evaluate().unwrap();
+        mixture.complete(Moment::Now, dt).unwrap();
+        mixture.advance(Moment::Now, Moment::Now, dt);
+        let now = sizes(&mixture);
+        most = [0, 1].map(|n| most[n].max(now[n] / before[n] - 1.0));
+        before = now;
+    }
+    let left = sizes(&mixture)[0] / start;
+    assert!(left < 0.9, "{scheme:?}, {stiffness:e}: drag has done nothing, {left}");
+    most
+}
+
+#[test]
+fn solved_over_the_step_wild_velocities_never_gain_energy() {
+    for scheme in [DragScheme::BackwardEuler, DragScheme::SecondOrder] {
+        for stiffness in [0.01, 0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5] {
+            let [kinetic, of_both] = growth(scheme, stiffness);
+            assert!(kinetic < 0.0 && of_both < 0.0, "{scheme:?}, {stiffness:e}: {kinetic:e}, {of_both:e}");
+        }
+    }
+}
+
 #[test]
 fn a_resumed_run_has_the_same_bits() {
     let ergun = || Ergun::new(1e-3, 1e-3).unwrap();
@@ -141,6 +186,7 @@ fn a_resumed_run_has_the_same_bits() {
         resumed.restore(snapshot).unwrap();
         (0..5).for_each(|_| _ = resumed.step().unwrap());
         assert_eq!(bits(run.mixture()), bits(resumed.mixture()));
+        assert_eq!(run.budget(), resumed.budget());
     }
 }
 
