@@ -3,6 +3,7 @@
 
 mod dense;
 mod direct;
+mod fastest;
 mod normalised;
 mod projected;
 mod reconstructed;
