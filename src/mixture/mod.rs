@@ -50,6 +50,7 @@ mod wall_stress;
 pub use artificial_stress::ArtificialStress;
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
+#[cfg(feature = "case")]
 pub(crate) use drag::RECONSTRUCTED_HASTE;
 pub use drag_scheme::DragScheme;
 #[cfg(feature = "implicit")]
