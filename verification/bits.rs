@@ -1,7 +1,7 @@
 //! Runs of water, soil and both that are the same to the last bit, whatever the threads, the instructions, the
 //! search, and whether they were interrupted.
 
-use crate::clouds::{Both, Cloud, Following, Made};
+use crate::clouds::{Both, Cloud, Following, Made, of_every_cloud};
 use crate::frames::{Frame, Mistake};
 use alluvium::material::{Material, Memory};
 use alluvium::mixture::Phase;
@@ -19,12 +19,7 @@ const ANEW: &str = "goes on from what is seen, not from the half step";
 const STEPS: usize = 30;
 
 pub fn studies() -> Vec<Study> {
-    let mut studies = Vec::new();
-    for made in Made::ALL {
-        studies.extend([study::<f64, 2>(made), study::<f64, 3>(made)]);
-        studies.extend([study::<f32, 2>(made), study::<f32, 3>(made)]);
-    }
-    studies
+    of_every_cloud!(study)
 }
 
 fn study<T: Real, const D: usize>(made: Made) -> Study {

@@ -43,6 +43,24 @@ impl Made {
     }
 }
 
+/// A study of every cloud, in both dimensions and precisions.
+macro_rules! of_every_cloud {
+    ($study:ident) => {
+        crate::clouds::Made::ALL
+            .into_iter()
+            .flat_map(|made| {
+                [
+                    $study::<f64, 2>(made),
+                    $study::<f64, 3>(made),
+                    $study::<f32, 2>(made),
+                    $study::<f32, 3>(made),
+                ]
+            })
+            .collect()
+    };
+}
+pub(crate) use of_every_cloud;
+
 /// How many steps clouds are followed.
 pub const STEPS: usize = 60;
 /// Smoothing length over spacing.

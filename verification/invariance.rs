@@ -6,7 +6,7 @@
 //! velocity is left out for them. Axes and mirrors are no matter of bits: sums go through the cells in
 //! the order of the axes.
 
-use crate::clouds::{Cloud, FLOW, Made, Particle, STEPS, Seen};
+use crate::clouds::{Cloud, FLOW, Made, Particle, STEPS, Seen, of_every_cloud};
 use crate::frames::{Frame, Mistake};
 use alluvium::Real;
 use alluvium::verify::{Conditions, Expected, Measured, Study};
@@ -35,14 +35,8 @@ fn mistake(conditions: &Conditions) -> Option<Mistake> {
 const SPEED: f64 = 5.0;
 
 pub fn studies() -> Vec<Study> {
-    let mut studies = Vec::new();
-    for made in Made::ALL {
-        studies.extend(of::<f64, 2>(made));
-        studies.extend(of::<f64, 3>(made));
-        studies.extend(of::<f32, 2>(made));
-        studies.extend(of::<f32, 3>(made));
-    }
-    studies
+    let clouds: Vec<Vec<Study>> = of_every_cloud!(of);
+    clouds.into_iter().flatten().collect()
 }
 
 fn of<T: Real, const D: usize>(made: Made) -> Vec<Study> {

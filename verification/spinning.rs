@@ -4,7 +4,7 @@
 //! a rotation, and drag acts along the line between particles.
 
 use crate::bands::worst;
-use crate::clouds::{Both, Cloud, Made};
+use crate::clouds::{Both, Cloud, Made, of_every_cloud};
 use crate::frames::Frame;
 use crate::soil::SpinningBack;
 use alluvium::material::{Material, SoilMemory};
@@ -22,12 +22,7 @@ const SPIN: f64 = 10.0;
 const ROUNDINGS: f64 = 100.0;
 
 pub fn studies() -> Vec<Study> {
-    let mut studies = Vec::new();
-    for made in Made::ALL {
-        studies.extend([study::<f64, 2>(made), study::<f64, 3>(made)]);
-        studies.extend([study::<f32, 2>(made), study::<f32, 3>(made)]);
-    }
-    studies
+    of_every_cloud!(study)
 }
 
 fn study<T: Real, const D: usize>(made: Made) -> Study {

@@ -8,6 +8,7 @@ mod tank;
 use super::model::{Case, Dumps, StepSize, Water};
 use super::read::expected_speed;
 use super::reader::Reader;
+use crate::material::{self, Material};
 use crate::preset::Preset;
 use core::ops::Range;
 
@@ -81,10 +82,13 @@ fn speeds(reader: &Reader<'_>, case: &Case, water: &Water) {
 
 /// Where water cavitates it must have a density.
 fn cavitation(reader: &Reader<'_>, water: &Water) {
-    let stiffness = water.reference_density * water.sound_speed.powi(2) / f64::from(water.tait_exponent); // (17)
-    if water.cavitation_pressure.is_some_and(|least| least <= -stiffness) {
-        let why = format!("is never reached: without density water has {:.4e} Pa", -stiffness);
-        let allowed = format!("from above {:.4e} to 0.0 [Pa]", -stiffness);
+    let law = material::Water::new(water.reference_density, water.sound_speed)
+        .and_then(|law| law.with_exponent(water.tait_exponent));
+    let Ok(law) = law else { return }; // values out of range have been told
+    let empty = law.pressure(-1.0, &());
+    if water.cavitation_pressure.is_some_and(|least| least <= empty) {
+        let why = format!("is never reached: without density water has {empty:.4e} Pa");
+        let allowed = format!("from above {empty:.4e} to 0.0 [Pa]");
         reader.error("water.cavitation_pressure_pa", &why, allowed);
     }
 }

@@ -4,7 +4,7 @@ use super::choice::{KernelChoice, SchemeChoice};
 use super::model::{Case, StepSize};
 use crate::error::ParameterError;
 use crate::kernel::{CubicSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6, second_moment};
-use crate::mixture::{CouplingForm, DragScheme, RECONSTRUCTED_HASTE};
+use crate::mixture::{CouplingForm, DragScheme, LEAST_PORES, RECONSTRUCTED_HASTE};
 
 /// An estimate of the step one limit allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +87,7 @@ impl Case {
     pub(super) fn pore_limit(&self) -> Option<f64> {
         let (soil, water) = (self.soil.as_ref()?, self.water.as_ref()?);
         let acts = self.mixing.as_ref()?.coupling == CouplingForm::PressureDifference;
-        let pores = (1.0 - soil.volume_fraction).max(0.01);
+        let pores = (1.0 - soil.volume_fraction).max(LEAST_PORES);
         acts.then(|| self.smoothing_length() * pores / water.sound_speed)
     }
 

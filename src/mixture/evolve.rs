@@ -1,7 +1,7 @@
 //! How a phase moves in time: the loops behind the integrator's verbs.
 
 use super::Phase;
-use super::phase::EvolvingFraction;
+use super::fields::EvolvingFraction;
 use crate::budget::Works;
 use crate::material::{Material, Memory};
 use crate::parallel::{self, CHUNK};

@@ -1,6 +1,7 @@
 //! How particles get into a phase.
 
-use super::phase::{EvolvingFraction, Phase};
+use super::fields::EvolvingFraction;
+use super::phase::Phase;
 use super::wall::Wall;
 use crate::error::ParameterError;
 use crate::material::Material;

@@ -15,6 +15,7 @@ mod drag_scheme;
 mod evaluation;
 mod evolve;
 mod extrapolation;
+mod fields;
 mod filling;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
@@ -50,8 +51,6 @@ mod wall_stress;
 pub use artificial_stress::ArtificialStress;
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
-#[cfg(feature = "case")]
-pub(crate) use drag::RECONSTRUCTED_HASTE;
 pub use drag_scheme::DragScheme;
 #[cfg(feature = "implicit")]
 pub use implicit_drag::DragSolver;
@@ -63,6 +62,8 @@ pub use state::MixtureState;
 pub use step_error::{Culprit, StepError};
 pub use summed_fraction::VolumeFraction;
 pub use wall::{Slip, Wall, WallKind};
+#[cfg(feature = "case")]
+pub(crate) use {drag::RECONSTRUCTED_HASTE, phase::LEAST_PORES};
 
 use crate::budget::{Account, Exchange};
 use crate::kernel::{Kernel, WendlandC2};

@@ -1,56 +1,15 @@
 //! One constituent: its law and every per-particle array.
 
+use super::fields::{EvolvingFraction, Fields, Rates};
 use super::opening::Inflow;
 use super::wall::{Slip, Wall, WallKind};
 use crate::material::{Material, Memory};
-use crate::parallel::{self, CHUNK};
 use crate::real::{Num, Real};
 use crate::space::{SymTensor, Vector};
 use crate::time::Moment;
 
-/// The fields an integrator advances, at one instant.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Fields<T: Real, const D: usize, M> {
-    pub(crate) velocity: Vec<Vector<T, D>>,
-    /// ρ/ρ̃₀ − φ: the partial density beyond its reference; kept instead of ρ so that `f32` does not
-    /// lose the pressure. Of rigid grains, with φ at the start: they change φ itself.
-    pub(crate) excess: Vec<T>,
-    pub(crate) memory: Vec<M>,
-}
-
-/// Rates of change at the whole step.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Rates<T: Real, const D: usize, M> {
-    /// \[m/s²\]; for wall particles what they would feel, kept as the reaction.
-    pub(crate) acceleration: Vec<Vector<T, D>>,
-    pub(crate) excess: Vec<T>,
-    pub(crate) memory: Vec<M>,
-}
-
-/// What a volume fraction that evolves (69) needs beside its value now.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct EvolvingFraction<T> {
-    pub(crate) half: Vec<T>,
-    /// Dφ/Dt \[1/s\].
-    pub(crate) rate: Vec<T>,
-}
-
-impl<T: Real, const D: usize, M> Fields<T, D, M> {
-    /// Particles in every array; the smallest number where they differ.
-    pub(crate) fn len(&self) -> usize {
-        self.velocity.len().min(self.excess.len()).min(self.memory.len())
-    }
-}
-
-impl<T: Real, const D: usize, M> Rates<T, D, M> {
-    /// Particles in every array; the smallest number where they differ.
-    pub(crate) fn len(&self) -> usize {
-        self.acceleration.len().min(self.excess.len()).min(self.memory.len())
-    }
-}
+/// The smallest volume fraction of water that limits the step \[-\].
+pub(crate) const LEAST_PORES: f64 = 0.01;
 
 /// Particles of one constituent, wall particles first.
 ///
@@ -99,9 +58,9 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             placed: true,
             mass: Vec::new(),
             volume_fraction: Vec::new(),
-            now: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
-            half: Fields { velocity: Vec::new(), excess: Vec::new(), memory: Vec::new() },
-            rate: Rates { acceleration: Vec::new(), excess: Vec::new(), memory: Vec::new() },
+            now: Fields::none(),
+            half: Fields::none(),
+            rate: Rates::none(),
             evolving_fraction: None,
             pressure: Vec::new(),
             deviator: Vec::new(),
@@ -206,9 +165,10 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         if M::RIGID_GRAINS { self.volume_fraction[i] + self.now.excess[i] } else { self.volume_fraction[i] }
     }
 
-    /// The smallest volume fraction \[-\], but no less than 0.01: a particle that has hardly any would stop the run.
+    /// The smallest volume fraction \[-\], but no less than [`LEAST_PORES`]: a particle that has hardly any would stop
+    /// the run.
     pub(super) fn least_fraction(&self) -> T {
-        self.volume_fraction.iter().copied().fold(T::ONE, Num::min).max(T::of(0.01))
+        self.volume_fraction.iter().copied().fold(T::ONE, Num::min).max(T::of(LEAST_PORES))
     }
 
     /// Pressures p \[Pa\] at the last evaluation, positive in compression.
@@ -342,33 +302,6 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         }
     }
 
-    /// Puts all arrays into another order: particle `order[k]` comes to place `k`. Who is not in the order,
-    /// and no wall's, is gone; who is in it twice is there twice.
-    pub(crate) fn permute(&mut self, order: &[u32]) {
-        if self.deviator.len() == self.position.len() {
-            permute(&mut self.deviator, order);
-        }
-        permute(&mut self.id, order);
-        permute(&mut self.body, order);
-        permute(&mut self.position, order);
-        permute(&mut self.mass, order);
-        permute(&mut self.volume_fraction, order);
-        if let Some(fraction) = &mut self.evolving_fraction {
-            permute(&mut fraction.half, order);
-            permute(&mut fraction.rate, order);
-        }
-        permute(&mut self.pressure, order);
-        permute(&mut self.rate.acceleration, order);
-        permute(&mut self.rate.excess, order);
-        permute(&mut self.rate.memory, order);
-        permute(&mut self.wall_acceleration, &order[..self.wall_particles]);
-        for fields in [&mut self.now, &mut self.half] {
-            permute(&mut fields.velocity, order);
-            permute(&mut fields.excess, order);
-            permute(&mut fields.memory, order);
-        }
-    }
-
     /// Whether every number an integrator advances is finite, for particle `i`: else the field's name.
     pub(crate) fn bad_field(&self, i: usize) -> Option<&'static str> {
         if !self.position[i].is_finite() {
@@ -382,20 +315,5 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         } else {
             None
         }
-    }
-}
-
-fn permute<X: Copy + Send + Sync>(array: &mut Vec<X>, order: &[u32]) {
-    let Some(&any) = array.first() else { return };
-    if size_of::<X>() == 0 {
-        array.resize(order.len(), any);
-    } else {
-        let mut sorted = vec![any; order.len()];
-        parallel::for_each_part(&mut sorted, 1, CHUNK, &|first, part: &mut [X]| {
-            for (x, &i) in part.iter_mut().zip(&order[first..]) {
-                *x = array[i as usize];
-            }
-        });
-        *array = sorted;
     }
 }

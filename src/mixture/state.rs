@@ -2,7 +2,8 @@
 
 use super::Mixture;
 use super::constituent::Constituent;
-use super::phase::{EvolvingFraction, Fields, Phase, Rates};
+use super::fields::{EvolvingFraction, Fields, Rates};
+use super::phase::Phase;
 use crate::budget::Exchange;
 use crate::error::ParameterError;
 use crate::kernel::Kernel;

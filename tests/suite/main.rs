@@ -7,6 +7,8 @@ mod case_build;
 #[cfg(feature = "case")]
 mod case_mixture;
 #[cfg(feature = "case")]
+mod case_plan;
+#[cfg(feature = "case")]
 mod case_soil;
 #[cfg(feature = "case")]
 mod case_soil_build;

@@ -148,6 +148,24 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             held: [soil.wall_particles(), water.wall_particles()],
             step: dt.as_f64(),
         };
+        let count = soil.len();
+        let effective =
+            self.effective(stage, &velocity, &begin).map_err(|unsolved| self.unsolved(unsolved))?;
+        let (of_soil, of_water) = effective.split_at(count);
+        put(&mut self.soil.phase, of_soil);
+        put(&mut self.water.phase, of_water);
+        Ok(())
+    }
+
+    /// Effective accelerations of soil and water over the step of a stage, from these velocities; the first system
+    /// begins at `begin`.
+    fn effective(
+        &mut self,
+        stage: Stage<'_, D>,
+        velocity: &[Vector<f64, D>],
+        begin: &[Vector<f64, D>],
+    ) -> Result<Vec<Vector<f64, D>>, Unsolved> {
+        let (soil, water) = (&self.soil.phase, &self.water.phase);
         let drag = &self.coupling.drag;
         let law = &*drag.law;
         let coefficient = |a: usize, slip: f64| {
@@ -155,36 +173,36 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         };
         let (across, kernel) = (&self.coupling.across, &self.setting.kernel);
         let scheme = self.implicit_drag.scheme;
-        let effective = if law.knows_slip() {
+        if law.knows_slip() {
             let seen = Pairs::of((across, drag), kernel, soil, water, |_| T::ONE);
             let coefficient = |a: usize, slip: f64| coefficient(a, slip).as_f64();
             let pattern = self.implicit_drag.pattern(across, [soil.len(), water.len()]);
             let sweeps = Sweeps { seen: &seen, coefficient: &coefficient, pattern };
-            stage.through(scheme, &velocity, &begin, |stage, velocity, begin| {
+            stage.through(scheme, velocity, begin, |stage, velocity, begin| {
                 sweeps.solve(stage, velocity, begin)
             })
         } else {
             let pairs = Pairs::of((across, drag), kernel, soil, water, |a| coefficient(a, 0.0));
             let pattern = self.implicit_drag.pattern(across, [soil.len(), water.len()]);
             let mut system = None;
-            stage.through(scheme, &velocity, &begin, |stage, velocity, begin| {
+            stage.through(scheme, velocity, begin, |stage, velocity, begin| {
                 let system = system.get_or_insert_with(|| System::new(&pairs, stage, pattern));
                 system.accelerations(velocity, begin)
             })
-        };
+        }
+    }
+
+    fn unsolved(&self, unsolved: Unsolved) -> StepError {
         let time = self.setting.time;
-        let effective = effective.map_err(|unsolved| match unsolved {
+        match unsolved {
             Unsolved::Iteration { residual, allowed, iterations } => {
                 StepError::DragUnsolved { residual, allowed, iterations, time }
             }
             Unsolved::Sweeps { change, allowed, sweeps } => {
-                StepError::DragUnsettled { change, allowed, sweeps, law: law.describe(), time }
+                let law = self.coupling.drag.law.describe();
+                StepError::DragUnsettled { change, allowed, sweeps, law, time }
             }
-        })?;
-        let (of_soil, of_water) = effective.split_at(soil.len());
-        put(&mut self.soil.phase, of_soil);
-        put(&mut self.water.phase, of_water);
-        Ok(())
+        }
     }
 
     /// What reconstructing the velocities `base` changes of the accelerations by drag; nothing if they are not.
