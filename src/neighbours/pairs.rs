@@ -1,6 +1,6 @@
 //! A plain list of pairs, for tools and tests.
 
-use super::{NeighbourSearch, Periodic, sorted_candidates};
+use super::{NeighbourSearch, Periodic};
 use crate::real::Real;
 use crate::space::Vector;
 
@@ -27,17 +27,24 @@ impl Pairs {
         all.extend(ghosts.iter().map(|g| all[g.owner as usize] + g.shift).collect::<Vec<_>>());
         let radius2 = if radius > T::ZERO { radius * radius } else { T::ZERO };
         search.rebuild(&all, radius);
-        let everything = 0..all.len() as u32;
-        let (mut raw, mut ranges) = (Vec::new(), Vec::new());
+        let (mut candidates, mut near) = (Vec::new(), Vec::new());
         let (mut starts, mut neighbours) = (vec![0], Vec::new());
         for (i, x) in all[..points.len()].iter().enumerate() {
-            sorted_candidates(search, x, std::slice::from_ref(&everything), &mut raw, &mut ranges);
-            for j in ranges.iter().cloned().flatten() {
-                if j as usize != i && (*x - all[j as usize]).norm2() < radius2 {
-                    let owner = (j as usize).checked_sub(points.len()).map_or(j, |g| ghosts[g].owner);
-                    neighbours.push(owner);
+            candidates.clear();
+            search.candidates(x, &mut candidates);
+            near.clear();
+            for range in &candidates {
+                for j in range.start..range.end.min(all.len() as u32) {
+                    if (*x - all[j as usize]).norm2() < radius2 && j as usize != i {
+                        near.push(j);
+                    }
                 }
             }
+            // Sorted now, when most candidates are gone; a search may have proposed one twice.
+            near.sort_unstable();
+            near.dedup();
+            let owner = |&j: &u32| (j as usize).checked_sub(points.len()).map_or(j, |g| ghosts[g].owner);
+            neighbours.extend(near.iter().map(owner));
             starts.push(neighbours.len());
         }
         Self { starts, neighbours }
