@@ -8,7 +8,7 @@ use crate::motions::{
 };
 use crate::seepage::Powered;
 use crate::soil::SpinningBack;
-use crate::water::Unpredicted;
+use crate::water::{Unforeseen, Unpredicted};
 use alluvium::Real;
 #[cfg(feature = "implicit")]
 use alluvium::mixture::DragScheme;
@@ -19,7 +19,13 @@ const SOURCE: &str = "manufactured solution (Roache 1998), its sources by automa
 const IN_TIME: &str = "difference to the same particles in sixteen times as many steps";
 const DOUBLE: &str = "viscosity twice as large";
 const UNCORRECTED: &str = "gradients not corrected";
+const CORRECTED: &str = "gradients corrected";
 const UNPREDICTED: &str = "half-step approximation left out";
+const WIDE: &str = "gradients corrected, and h = 2 Δx";
+const NARROW: &str = "h/Δx kept as it is";
+const ORDERLY: &str = "from the lattice";
+#[cfg(feature = "implicit")]
+const OTHER: &str = "the other scheme";
 const SPIN: &str = "spin of the opposite sign";
 const CUBED: &str = "φ_f cubed in C_d";
 const TWICE: &str = "drag twice as strong";
@@ -38,12 +44,15 @@ pub fn studies() -> Vec<Study> {
     #[cfg_attr(not(feature = "implicit"), expect(unused_mut, reason = "nothing is added"))]
     let mut studies = explicit();
     #[cfg(feature = "implicit")]
-    studies.extend([
-        implicit_in_time("manufactured/both/time/backward Euler", DragScheme::BackwardEuler)
-            .expect(Expected::order(1.0, 0.1)),
-        implicit_in_time("manufactured/both/time/second-order drag", DragScheme::SecondOrder)
-            .expect(Expected::order(2.0, 0.1)),
-    ]);
+    {
+        let (first, second) = (DragScheme::BackwardEuler, DragScheme::SecondOrder);
+        studies.extend([
+            implicit_in_time("manufactured/both/time/backward Euler", first, second)
+                .expect(Expected::order(1.0, 0.1)),
+            implicit_in_time("manufactured/both/time/second-order drag", second, first)
+                .expect(Expected::order(2.0, 0.1)),
+        ]);
+    }
     studies
 }
 
@@ -59,8 +68,8 @@ fn explicit() -> Vec<Study> {
         uncorrected(),
         joint_limit(),
         disordered(),
-        water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new),
-        water_in_time("manufactured/water/time/leap-frog", LeapFrog::new).mutant(UNPREDICTED),
+        water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
+        water_in_time("manufactured/water/time/leap-frog", LeapFrog::new, Unpredicted),
         MISTAKES
             .iter()
             .fold(both_in_space::<f64, 2>("manufactured/both/space/2d/f64", &SIDES), |study, (name, _)| {
@@ -69,8 +78,8 @@ fn explicit() -> Vec<Study> {
         both_in_space::<f32, 2>("manufactured/both/space/2d/f32", &SIDES),
         both_in_space::<f64, 3>("manufactured/both/space/3d/f64", &[12, 18, 24]).level(Level::Full),
         printed(),
-        both_in_time("manufactured/both/time/velocity-verlet", VelocityVerlet::new),
-        both_in_time("manufactured/both/time/leap-frog", LeapFrog::new).mutant(UNPREDICTED),
+        both_in_time("manufactured/both/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
+        both_in_time("manufactured/both/time/leap-frog", LeapFrog::new, Unpredicted),
     ]
 }
 
@@ -112,9 +121,9 @@ fn uncorrected() -> Study {
     Study::new(
         "manufactured/water/uncorrected",
         "without the correction, at h = Δx, the error of the velocity stops falling where eight neighbours leave it",
-        |_| {
+        |conditions| {
             in_space(&SIDES, |side| {
-                let run = Run { corrected: false, ..Run::new(side, 1.0) };
+                let run = Run { corrected: conditions.is(CORRECTED), ..Run::new(side, 1.0) };
                 errors_alone(&alone::<f64, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new())).into()
             })
         },
@@ -122,6 +131,7 @@ fn uncorrected() -> Study {
     .equations(&["52", "58"])
     .source(SOURCE)
     .expect(Expected::Plateau { value: 0.055, tolerance: 0.02 })
+    .mutant(CORRECTED)
 }
 
 /// Both limits at once: more particles, and more of them within the support of each.
@@ -129,9 +139,10 @@ fn joint_limit() -> Study {
     Study::new(
         "manufactured/water/joint limit",
         "without the correction, the error goes on falling where h/Δx grows with the cube root of the resolution",
-        |_| {
+        |conditions| {
             in_space(&SIDES, |side| {
-                let ratio = 1.3 * (side as f64 / SIDES[0] as f64).cbrt();
+                let wider = if conditions.is(NARROW) { 1.0 } else { (side as f64 / SIDES[0] as f64).cbrt() };
+                let ratio = 1.3 * wider;
                 let run = Run { corrected: false, ..Run::new(side, ratio) };
                 errors_alone(&alone::<f64, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new())).into()
             })
@@ -140,6 +151,7 @@ fn joint_limit() -> Study {
     .equations(&["50", "52", "58"])
     .source(SOURCE)
     .expect(Expected::Order { at_least: 1.0, at_most: 2.0 })
+    .mutant(NARROW)
 }
 
 /// From places a tenth of a spacing off the lattice.
@@ -148,9 +160,10 @@ fn disordered() -> Study {
         "manufactured/water/disordered",
         "from disordered places forces that conserve momentum do not converge, corrected or not: the order is between \
          minus one and one half",
-        |_| {
+        |conditions| {
             in_space(&SIDES, |side| {
-                let run = Run { jitter: 0.1, ..Run::new(side, 2.0) };
+                let jitter = if conditions.is(ORDERLY) { 0.0 } else { 0.1 };
+                let run = Run { jitter, ..Run::new(side, 2.0) };
                 errors_alone(&alone::<f64, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new())).into()
             })
         },
@@ -158,6 +171,7 @@ fn disordered() -> Study {
     .equations(&["51", "58"])
     .source(SOURCE)
     .expect(Expected::Order { at_least: -1.0, at_most: 0.5 })
+    .mutant(ORDERLY)
 }
 
 /// The paper's sums for both constituents at h = Δx.
@@ -166,9 +180,12 @@ fn printed() -> Study {
         "manufactured/both/as printed",
         "with (55), (58) as printed and h = Δx soil and water do not converge: water is held by the lattice of the \
          grains the harder the finer it is",
-        |_| {
+        |conditions| {
             in_space(&SIDES, |side| {
-                let run = Run { corrected: false, ..Run::new(side, 1.0) };
+                let run = match conditions.is(WIDE) {
+                    true => Run::new(side, 2.0),
+                    false => Run { corrected: false, ..Run::new(side, 1.0) },
+                };
                 errors_together(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), VelocityVerlet::new())).into()
             })
         },
@@ -176,6 +193,7 @@ fn printed() -> Study {
     .equations(&["55", "58"])
     .source(SOURCE)
     .expect(Expected::Order { at_least: -2.0, at_most: 0.0 })
+    .mutant(WIDE)
 }
 
 fn both_in_space<T: Real, const D: usize>(name: &str, sides: &'static [usize]) -> Study {
@@ -217,13 +235,17 @@ fn in_time(velocities: impl Fn(usize) -> Vec<f64>) -> Measured {
     Measured::errors(STEPS.map(error))
 }
 
-fn water_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study {
+fn water_in_time<I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 'static>(
+    name: &str,
+    integrator: fn() -> I,
+    mistaken: J,
+) -> Study {
     Study::new(name, "the error of a water step is of second order in its length", move |conditions| {
         in_time(|steps| {
             let run = Run { steps, ..Run::new(8, 1.0) };
             let water = fluid(WATER.viscosity);
             if conditions.is(UNPREDICTED) {
-                velocities(alone::<f64, 2>(run, water, Unpredicted).water())
+                velocities(alone::<f64, 2>(run, water, mistaken).water())
             } else {
                 velocities(alone::<f64, 2>(run, water, integrator()).water())
             }
@@ -232,17 +254,19 @@ fn water_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study
     .equations(&["71", "72"])
     .source(IN_TIME)
     .expect(Expected::order(2.0, 0.1))
+    .mutant(UNPREDICTED)
 }
 
 /// With drag solved over the step; the drag's own time is 7 ms, the longest step 1.3 ms.
 #[cfg(feature = "implicit")]
-fn implicit_in_time(name: &str, scheme: DragScheme) -> Study {
+fn implicit_in_time(name: &str, scheme: DragScheme, other: DragScheme) -> Study {
     Study::new(
         name,
         "the error of a step of soil and water whose drag is solved over it is of the order of its scheme",
-        move |_| {
+        move |conditions| {
             in_time(|steps| {
                 let run = Run { steps, ..Run::new(8, 2.0) };
+                let scheme = if conditions.is(OTHER) { other } else { scheme };
                 let mixture = together_implicitly(run, scheme, VelocityVerlet::new());
                 [velocities(mixture.soil()), velocities(mixture.water())].concat()
             })
@@ -250,9 +274,14 @@ fn implicit_in_time(name: &str, scheme: DragScheme) -> Study {
     )
     .equations(&["37"])
     .source(IN_TIME)
+    .mutant(OTHER)
 }
 
-fn both_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study {
+fn both_in_time<I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 'static>(
+    name: &str,
+    integrator: fn() -> I,
+    mistaken: J,
+) -> Study {
     Study::new(
         name,
         "the error of a step of soil and water is of second order in its length",
@@ -263,7 +292,7 @@ fn both_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study 
                     [velocities(mixture.soil()), velocities(mixture.water())].concat()
                 };
                 if conditions.is(UNPREDICTED) {
-                    both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), Unpredicted))
+                    both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), mistaken))
                 } else {
                     both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), integrator()))
                 }
@@ -273,4 +302,5 @@ fn both_in_time<I: Integrator<f64>>(name: &str, integrator: fn() -> I) -> Study 
     .equations(&["71", "72"])
     .source(IN_TIME)
     .expect(Expected::order(2.0, 0.1))
+    .mutant(UNPREDICTED)
 }

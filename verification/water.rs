@@ -32,7 +32,7 @@ pub fn periodic<T: Real, const D: usize>(size: [f64; D]) -> Periodic<T, D> {
 }
 
 /// A mistake: leap-frog whose rates see the fields of half a step ago.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Unpredicted;
 
 impl<T: Real> Integrator<T> for Unpredicted {
@@ -44,6 +44,25 @@ impl<T: Real> Integrator<T> for Unpredicted {
         system.advance(Moment::Half, Moment::Half, dt);
         system.drift(Moment::Half, dt);
         system.advance(Moment::Now, Moment::Half, T::ZERO);
+        Ok(())
+    }
+}
+
+/// A mistake: velocity-Verlet that evaluates the second rates with the fields of the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Unforeseen;
+
+impl<T: Real> Integrator<T> for Unforeseen {
+    fn name(&self) -> &'static str {
+        "velocity-verlet without a prediction"
+    }
+    fn step<S: Evolve<T>>(&mut self, system: &mut S, dt: T) -> Result<(), S::Error> {
+        let half = T::of(0.5) * dt;
+        system.evaluate()?;
+        system.advance(Moment::Half, Moment::Now, half);
+        system.drift(Moment::Half, dt);
+        system.evaluate()?;
+        system.advance(Moment::Now, Moment::Half, half);
         Ok(())
     }
 }
