@@ -72,6 +72,8 @@ mod tanks;
 mod taylor_green;
 #[cfg(feature = "case")]
 mod u_tube;
+#[cfg(all(feature = "case", feature = "implicit"))]
+mod u_tube_of_silt;
 mod water;
 
 use alluvium::verify::{Environment, Level, Outcome, Report, Study};
@@ -129,6 +131,8 @@ fn studies() -> Vec<Study> {
         sand_column::studies(),
         #[cfg(feature = "case")]
         u_tube::studies(),
+        #[cfg(all(feature = "case", feature = "implicit"))]
+        u_tube_of_silt::studies(),
         #[cfg(feature = "case")]
         jet::studies(),
     ]

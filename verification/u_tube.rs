@@ -1,6 +1,7 @@
 //! The paper's U-tube against the exact course of its levels (Figs. 9 and 10).
 
 use crate::bands::{Band, WITHIN, measured, range, worst};
+use alluvium::budget::Budget;
 use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
@@ -12,7 +13,7 @@ use std::ops::ControlFlow;
 
 const CASE: &str = include_str!("cases/u_tube.toml");
 const CONDUCTIVITY: f64 = 0.01;
-const PERMEABLE: &str = "conductivity a tenth too large";
+pub const PERMEABLE: &str = "conductivity a tenth too large";
 /// The end \[s\], how often it is looked at, and from when on Darcy's law is asked for: the start sloshes.
 const END: f64 = 20.0;
 const INTERVAL: f64 = 0.5;
@@ -31,24 +32,32 @@ pub fn studies() -> Vec<Study> {
     ]
 }
 
-/// To [`END`], in f64 with the default preset and h = 1.9 Δx.
-fn levels(conditions: &Conditions) -> Vec<Levels> {
-    let conductivity = if conditions.is(PERMEABLE) { 1.1 * CONDUCTIVITY } else { CONDUCTIVITY };
-    let text = CASE
-        .replace("PRESET", "default")
+/// In f64 with the default preset and h = 1.9 Δx.
+pub fn text(conductivity: f64) -> String {
+    CASE.replace("PRESET", "default")
         .replace("INTEGRATOR", "leap-frog")
         .replace("spacing_m = 0.05", "spacing_m = 0.05\nsmoothing_ratio = 1.9")
-        .replace("conductivity_m_per_s = 0.01", &format!("conductivity_m_per_s = {conductivity}"));
-    let (case, _) = Case::parse("U-tube", &text).expect("a case");
+        .replace("conductivity_m_per_s = 0.01", &format!("conductivity_m_per_s = {conductivity}"))
+}
+
+/// The levels of this case, with its books, each interval up to the end \[s\].
+pub fn follow(text: &str, interval: f64, end: f64) -> Vec<(Levels, Budget<2>)> {
+    let (case, _) = Case::parse("U-tube", text).expect("a case");
     let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
     let mut run = case.simulation(kernel, LeapFrog::new()).expect("a case");
     let mut look = |n: usize| {
-        let time = n as f64 * INTERVAL;
+        let time = n as f64 * interval;
         let _: ControlFlow<()> = run.run_until(time, |_| ControlFlow::Continue(())).expect("a sound run");
-        Levels::of(time, &Parcel::of(run.mixture().water()))
+        (Levels::of(time, &Parcel::of(run.mixture().water())), run.budget())
     };
     // One thread each: the harness runs studies side by side.
-    Threads::new(1).expect("a thread").install(|| (0..=(END / INTERVAL) as usize).map(&mut look).collect())
+    let count = (end / interval).round() as usize;
+    Threads::new(1).expect("a thread").install(|| (0..=count).map(&mut look).collect())
+}
+
+fn levels(conditions: &Conditions) -> Vec<Levels> {
+    let conductivity = if conditions.is(PERMEABLE) { 1.1 * CONDUCTIVITY } else { CONDUCTIVITY };
+    follow(&text(conductivity), INTERVAL, END).into_iter().map(|(levels, _)| levels).collect()
 }
 
 fn compared(levels: &[Levels]) -> Measured {

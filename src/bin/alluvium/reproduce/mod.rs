@@ -75,7 +75,8 @@ const ALL: &[Reproduction] = &[
     },
     Reproduction {
         name: "jet-conductivity",
-        about: "the same for soils from gravel to sand: depth of the hole (paper, Fig. 17)",
+        about: "the same for soils from gravel to clay, drag solved over the step in the finer ones: depth of the hole \
+                (paper, Fig. 17)",
         run: jet::series::conductivity,
     },
     Reproduction {
