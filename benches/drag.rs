@@ -46,7 +46,7 @@ fn mixed<const D: usize>(side: usize, z: f64, scheme: DragScheme) -> Run<D> {
     let mut soil = Phase::new(Soil::new(grains, elasticity, Unyielding).expect("a soil"));
     soil.add(&for_soil, volume, |_| 0.0).expect("particles");
     soil.set_volume_fraction(|_| FRACTION);
-    let along = |x: Vector<f64, D>, speed: f64| {
+    let along = |x: &Vector<f64, D>, speed: f64| {
         let mut velocity = Vector::zero();
         velocity[0] = speed * (TAU * x[1]).sin();
         velocity[1] = 0.5 * speed * (3.0 * TAU * x[0]).sin();

@@ -47,6 +47,14 @@ pub fn studies() -> Vec<Study> {
             conductivity,
         )
         .mutant(SWAPPED),
+        #[cfg(feature = "implicit")]
+        of(
+            "jet/silt",
+            "drag solved over the step digs as deep as explicit drag to a particle spacing, and from sand to silt the hole \
+             gets shallower (values: half widths from the middle of each band)",
+            silt,
+        )
+        .mutant(SWAPPED),
     ]
 }
 
@@ -62,19 +70,24 @@ struct Dig {
     kept: f64,
 }
 
+/// With explicit drag from 5e-5 m/s up, as the program chooses.
 fn dig(conductivity: f64, conditions: &Conditions) -> Dig {
+    dig_by("automatic", conductivity, if conditions.is(SLOW) { 20.0 } else { 25.0 })
+}
+
+fn dig_by(scheme: &str, conductivity: f64, speed: f64) -> Dig {
     static RUNS: SharedRuns<Dig> = SharedRuns::new();
-    let slow = conditions.is(SLOW);
-    RUNS.get(format!("{conductivity} {slow}"), || run(conductivity, if slow { 20.0 } else { 25.0 }))
+    RUNS.get(format!("{scheme} {conductivity} {speed}"), || run(scheme, conductivity, speed))
 }
 
 /// In f64 with the default preset, h = 1.5 Δx and ψ = 0.
-fn run(conductivity: f64, speed: f64) -> Dig {
+fn run(scheme: &str, conductivity: f64, speed: f64) -> Dig {
     let text = CASE
         .replace("PRESET", "default")
         .replace("INTEGRATOR", "leap-frog")
         .replace("spacing_m = 0.005", "spacing_m = 0.005\nsmoothing_ratio = 1.5")
         .replace("conductivity_m_per_s = 5.0e-4", &format!("conductivity_m_per_s = {conductivity}"))
+        .replace("[mixture]", &format!("[mixture]\ndrag_scheme = \"{scheme}\""))
         .replace("[0.0, -25.0]", &format!("[0.0, {:?}]", -speed));
     let (case, _) = Case::parse("jet", &text).expect("a case");
     let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
@@ -128,13 +141,42 @@ fn conductivity(conditions: &Conditions) -> Measured {
         soils.reverse();
     }
     let holes = soils.map(|k| (k, dig(k, conditions).hole));
+    measured(deepening(&holes)).note(noted(&holes)).picture(&chart(&holes))
+}
+
+#[cfg(feature = "implicit")]
+fn silt(conditions: &Conditions) -> Measured {
+    let mut soils = [1e-6, 1e-5, 5e-5, 5e-4];
+    if conditions.is(SWAPPED) {
+        soils.reverse();
+    }
+    let holes = soils.map(|k| (k, dig_by("backward-euler", k, 25.0).hole));
+    let beside = |&k: &f64| {
+        let solved = dig_by("backward-euler", k, 25.0).hole.depth() - dig(k, conditions).hole.depth();
+        Band::new(format!("deeper than explicit, k = {k:e} [m]"), Some(solved), (-SPACING, SPACING))
+    };
+    let bands = deepening(&holes).into_iter().chain([5e-5, 5e-4].iter().map(beside)).collect();
+    measured(bands).note(noted(&holes)).picture(&chart(&holes))
+}
+
+/// By how much each hole is deeper than the one before.
+fn deepening(holes: &[(f64, Hole)]) -> Vec<Band> {
+    let deeper = |pair: &[(f64, Hole)]| {
+        let by = pair[1].1.depth() - pair[0].1.depth();
+        Band::new("deeper by [m]", Some(by), (0.2 * SPACING, 0.175))
+    };
+    holes.windows(2).map(deeper).collect()
+}
+
+fn noted(holes: &[(f64, Hole)]) -> String {
     let depths: Vec<f64> = holes.iter().map(|(_, hole)| hole.depth()).collect();
+    format!("depths {depths:.4?} m")
+}
+
+fn chart(holes: &[(f64, Hole)]) -> Chart {
     let chart = Chart::new("Jet: the hole after 10 ms", "x [m]", "y [m]");
     let with = |chart: Chart, (k, hole): &(f64, Hole)| {
         chart.with(Series::line(&format!("k = {k:e} m/s"), hole.floor.clone()))
     };
-    let deeper = |pair: &[f64]| Band::new("deeper by [m]", Some(pair[1] - pair[0]), (0.2 * SPACING, 0.175));
-    measured(depths.windows(2).map(deeper).collect())
-        .note(format!("depths {depths:.4?} m"))
-        .picture(&holes.iter().fold(chart, with))
+    holes.iter().fold(chart, with)
 }
