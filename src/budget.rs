@@ -42,11 +42,13 @@ pub enum Account {
     CutOff,
     /// Volume fractions of water put to their sums (68).
     VolumeFraction,
+    /// Forces against motion of soil that its velocity gradient does not see.
+    HourglassControl,
 }
 
 impl Account {
     /// All accounts, in the order of the ledger's columns.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::ArtificialViscosity,
         Self::DensityDiffusion,
         Self::Viscosity,
@@ -64,6 +66,7 @@ impl Account {
         Self::ScaleBack,
         Self::CutOff,
         Self::VolumeFraction,
+        Self::HourglassControl,
     ];
 
     /// Its name in tables.
@@ -86,6 +89,7 @@ impl Account {
             Self::ScaleBack => "scale_back",
             Self::CutOff => "cut_off",
             Self::VolumeFraction => "volume_fraction",
+            Self::HourglassControl => "hourglass_control",
         }
     }
 }

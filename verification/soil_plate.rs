@@ -2,9 +2,9 @@
 
 use crate::fits::{Series, oscillation};
 use crate::soil::{SoilMixture, artificial_stress};
-use alluvium::kernel::WendlandC2;
+use alluvium::kernel::{Kernel, WendlandC2};
 use alluvium::material::{Elasticity, Soil, Unyielding};
-use alluvium::mixture::{ArtificialViscosity, Mixture, Phase, Wall};
+use alluvium::mixture::{ArtificialViscosity, HourglassControl, Mixture, Phase, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{StepSize, VelocityVerlet};
 use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
@@ -20,14 +20,26 @@ const DENSITY: f64 = 1000.0;
 const YOUNG: f64 = 2e6;
 const POISSON: f64 = 0.3975;
 const ROOT: f64 = 1.8751;
+/// h/Δx.
+const SMOOTHING: f64 = 1.5;
 /// Timoshenko's frequency over that of a thin plate, at this thickness and ν.
 const SHEARED: f64 = 0.990_5;
+
+/// Largest relative difference of the frequency of a plate that is held.
+const BAR: f64 = 0.02;
+
+type Plate<T> = SoilMixture<T, 2, Soil<T, Unyielding>>;
 
 pub fn studies() -> Vec<Study> {
     vec![
         plate("soil/plate", &[7, 14])
             .level(Level::Full)
             .expect(Expected::Order { at_least: 0.7, at_most: 2.5 })
+            .mutant(STIFF),
+        held("soil/plate held/coarse", &[6]).expect(Expected::Bound { largest: BAR }).mutant(STIFF),
+        held("soil/plate held", &[10, 14])
+            .level(Level::Full)
+            .expect(Expected::Bound { largest: BAR })
             .mutant(STIFF),
     ]
 }
@@ -39,8 +51,28 @@ fn plate(name: &str, counts: &'static [usize]) -> Study {
          particles across)",
         move |conditions| {
             Measured::errors(counts.iter().map(|&count| {
-                let fit = oscillation(&tip::<f64>(count, conditions), exact());
-                (THICKNESS / count as f64, (fit.frequency / exact() - 1.0).abs())
+                (THICKNESS / count as f64, difference(clamped(THICKNESS / count as f64, conditions)))
+            }))
+        },
+    )
+    .equations(&["33", "34", "35", "53", "55", "64", "65"])
+    .source(SOURCE)
+}
+
+/// With corrected gradients and control of what they do not see. The spacing divides the clamp: with an odd number
+/// across, its last row would stand in the plate.
+fn held(name: &str, counts: &'static [usize]) -> Study {
+    Study::new(
+        name,
+        "with corrected gradients and hourglass control the frequency of a clamped plate is that of theory (values: \
+         relative difference, by particles across)",
+        move |conditions| {
+            Measured::values(counts.iter().map(|&count| {
+                let spacing = THICKNESS / count as f64;
+                let control = HourglassControl { stiffness: 4.0, viscosity: 0.1 };
+                let mixture = free(spacing, conditions).with_gradient_correction();
+                let mixture = mixture.with_hourglass_control(control).expect("a strength");
+                (count.to_string(), difference(mixture))
             }))
         },
     )
@@ -55,26 +87,40 @@ fn exact() -> f64 {
         * (YOUNG * THICKNESS * THICKNESS * k.powi(4) / (12.0 * DENSITY * (1.0 - POISSON * POISSON))).sqrt()
 }
 
+/// |ω/ω_exact − 1|.
+fn difference(mixture: Plate<f64>) -> f64 {
+    let fit = oscillation(&tip(mixture), exact());
+    (fit.frequency / exact() - 1.0).abs()
+}
+
 /// Height of the plate's tip over three quarters of a period.
-fn tip<T: Real>(count: usize, conditions: &Conditions) -> Series {
-    let spacing = THICKNESS / count as f64;
+fn tip<T: Real>(mixture: Plate<T>) -> Series {
+    let spacing = mixture.kernel().smoothing_length().as_f64() / SMOOTHING;
     let step = StepSize::courant(T::of(0.2)).expect("0.2");
-    let mut run = Simulation::new(clamped::<T>(spacing, conditions), VelocityVerlet::new(), step);
+    let mut run = Simulation::new(mixture, VelocityVerlet::new(), step);
+    let soil = run.mixture().soil();
+    let is_tip = |i: &usize| soil.positions()[*i][0].as_f64() > LENGTH - 1.5 * spacing;
+    let tip: Vec<u32> = (0..soil.len()).filter(is_tip).map(|i| soil.ids()[i]).collect();
     let mut series = Series::new();
     let _: ControlFlow<()> = run
         .run_until(1.5 * core::f64::consts::PI / exact(), |run| {
             let soil = run.mixture().soil();
-            let free = soil.positions().iter().skip(soil.wall_particles());
-            let tip: Vec<f64> =
-                free.filter(|x| x[0].as_f64() > LENGTH - 1.5 * spacing).map(|x| x[1].as_f64()).collect();
-            series.push((run.time(), tip.iter().sum::<f64>() / tip.len() as f64));
+            let places = soil.ids().iter().zip(soil.positions());
+            let heights = places.filter(|(id, _)| tip.contains(id)).map(|(_, x)| x[1].as_f64());
+            series.push((run.time(), heights.sum::<f64>() / tip.len() as f64));
             ControlFlow::Continue(())
         })
         .expect("a sound run");
     series
 }
 
-fn clamped<T: Real>(spacing: f64, conditions: &Conditions) -> SoilMixture<T, 2, Soil<T, Unyielding>> {
+/// With the sums as printed, held together by artificial stress.
+fn clamped<T: Real>(spacing: f64, conditions: &Conditions) -> Plate<T> {
+    free(spacing, conditions).with_artificial_stress(artificial_stress(spacing)).expect("numerics")
+}
+
+/// The plate and its clamp, without artificial stress.
+fn free<T: Real>(spacing: f64, conditions: &Conditions) -> Plate<T> {
     let stiffer = if conditions.is(STIFF) { 1.2 } else { 1.0 };
     let elasticity = Elasticity::new(T::of(YOUNG * stiffer), T::of(POISSON)).expect("moduli");
     let sound = elasticity.bulk().as_f64() / DENSITY;
@@ -94,9 +140,8 @@ fn clamped<T: Real>(spacing: f64, conditions: &Conditions) -> SoilMixture<T, 2, 
         };
         Vector::of([0.0, speed * at(x[0].as_f64()) / at(LENGTH)])
     });
-    let kernel = WendlandC2::new(T::of(1.5 * spacing)).expect("a length");
+    let kernel = WendlandC2::new(T::of(SMOOTHING * spacing)).expect("a length");
     Mixture::of_soil(kernel, phase)
         .with_soil_artificial_viscosity(ArtificialViscosity { linear: T::of(0.05), quadratic: T::ZERO })
-        .and_then(|mixture| mixture.with_artificial_stress(artificial_stress(spacing)))
         .expect("numerics")
 }

@@ -7,24 +7,28 @@ use crate::water::periodic;
 use alluvium::budget::Account;
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Cone, DruckerPrager, Material, Plasticity, Soil, SoilMemory, YieldSurface};
-use alluvium::mixture::{ArtificialViscosity, GradientWeight, Mixture, Phase, Slip, Wall, WallKind};
-use alluvium::time::Evolve;
+use alluvium::mixture::{
+    ArtificialViscosity, GradientWeight, HourglassControl, Mixture, Phase, Slip, Wall, WallKind,
+};
+use alluvium::time::{Evolve, Moment};
 use alluvium::verify::{Arrangement, Conditions, Expected, Measured, Study};
 use alluvium::{Real, SymTensor, Vector};
 
 const SOURCE: &str = "chain rule: the sums (53), (55), (65) are conjugate pair by pair";
 const PRINTED: &str = "velocity gradient with m_j/ρ_j";
-const DROPPED: [(&str, Account); 6] = [
+const DROPPED: [(&str, Account); 7] = [
     ("artificial viscosity not booked", Account::ArtificialViscosity),
     ("artificial stress not booked", Account::ArtificialStress),
     ("wall work not booked", Account::WallWork),
     ("external work not booked", Account::External),
     (NO_WALL, Account::WallExtrapolation),
     (NO_FLOW, Account::Plastic),
+    (NO_HOLD, Account::HourglassControl),
 ];
 const NO_STORE: &str = "stored energy left out";
 const NO_WALL: &str = "stress of the extrapolated wall not booked";
 const NO_FLOW: &str = "plastic flow not booked";
+const NO_HOLD: &str = "hourglass control not booked";
 const BACKWARDS: &str = "spin of the opposite sign (66)";
 
 pub fn studies() -> Vec<Study> {
@@ -42,6 +46,9 @@ pub fn studies() -> Vec<Study> {
     studies.push(flowing::<f64, 2>("soil/powers/flowing/2d/f64", 1e-13));
     studies.push(flowing::<f64, 3>("soil/powers/flowing/3d/f64", 1e-13));
     studies.push(flowing::<f32, 2>("soil/powers/flowing/2d/f32", 1e-5));
+    studies.push(held::<f64, 2>("soil/powers/held/2d/f64", 1e-13));
+    studies.push(held::<f64, 3>("soil/powers/held/3d/f64", 1e-13));
+    studies.push(held::<f32, 2>("soil/powers/held/2d/f32", 1e-5));
     studies.extend([
         turning::<f64, 2>("soil/objectivity/2d/f64"),
         turning::<f64, 3>("soil/objectivity/3d/f64"),
@@ -65,7 +72,7 @@ fn identity<T: Real, const D: usize>(name: &str, kind: WallKind, largest: f64) -
     .mutant(PRINTED)
     .mutant(NO_STORE);
     let extrapolates = kind != WallKind::Dynamic;
-    let is_seen = |name| name != NO_FLOW && (extrapolates || name != NO_WALL);
+    let is_seen = |name| ![NO_FLOW, NO_HOLD].contains(&name) && (extrapolates || name != NO_WALL);
     let dropped = DROPPED.into_iter().filter(|(name, _)| is_seen(*name));
     dropped.fold(study, |study, (name, _)| study.mutant(name))
 }
@@ -82,6 +89,24 @@ fn flowing<T: Real, const D: usize>(name: &str, largest: f64) -> Study {
     .source(SOURCE)
     .expect(Expected::Bound { largest })
     .mutant(NO_FLOW)
+}
+
+/// The same with corrected gradients, while what these do not see is held.
+fn held<T: Real, const D: usize>(name: &str, largest: f64) -> Study {
+    Study::new(name, CLAIM, move |conditions| {
+        let control = HourglassControl { stiffness: T::of(4.0), viscosity: T::of(0.1) };
+        let mixture = cloud::<T, D, _>(elastic(), WallKind::Dynamic, 5).with_gradient_correction();
+        let mut mixture = mixture.with_hourglass_control(control).expect("a strength");
+        // The elastic hold is of what has been.
+        mixture.evaluate().expect("rates");
+        mixture.advance(Moment::Now, Moment::Now, T::of(1e-4));
+        Measured::value(residual(mixture, conditions))
+    })
+    .equations(EQUATIONS)
+    .source(SOURCE)
+    .expect(Expected::Bound { largest })
+    .mutant(NO_HOLD)
+    .mutant(NO_STORE)
 }
 
 /// A jittered cloud with random stress and velocity; a quarter of it is a moving wall.

@@ -93,6 +93,10 @@ pub trait Material<T: Real>: Clone + Debug + Send + Sync + 'static {
     fn fastest_wave(&self) -> T {
         self.sound_speed()
     }
+    /// Shear modulus G \[Pa\]; none but of laws that are elastic in shear.
+    fn shear_modulus(&self) -> T {
+        T::ZERO
+    }
     /// Pressure p \[Pa\] at the compression ρ̃/ρ̃₀ − 1 \[-\].
     fn pressure(&self, compression: T, memory: &Self::Memory) -> T;
     /// The compression ρ̃/ρ̃₀ − 1 \[-\] at pressure p \[Pa\]: the inverse of [`pressure`](Self::pressure).

@@ -210,6 +210,10 @@ impl<T: Real, Y: YieldSurface<T>> Material<T> for Soil<T, Y> {
         (self.elasticity.plane_wave_modulus() / self.reference_density).sqrt()
     }
 
+    fn shear_modulus(&self) -> T {
+        self.elasticity.shear()
+    }
+
     #[inline(always)]
     fn pressure(&self, _: T, memory: &SoilMemory<T>) -> T {
         memory.pressure()

@@ -3,7 +3,10 @@
 use super::setting::Setting;
 use super::source::SourceField;
 use super::wall_contact::Contact;
-use super::{ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, Phase, StepError};
+use super::{
+    ArtificialStress, ArtificialViscosity, DensityDiffusion, GradientWeight, HourglassControl, Phase,
+    StepError,
+};
 use crate::budget::Exchange;
 use crate::kernel::Kernel;
 use crate::material::Material;
@@ -29,6 +32,7 @@ pub(super) struct Constituent<T: Real, const D: usize, M: Material<T>> {
     pub(super) diffusion: DensityDiffusion<T>,
     pub(super) gradient_weight: GradientWeight,
     pub(super) strain_control: T,
+    pub(super) hourglass_control: Option<HourglassControl<T>>,
     /// Whether gradients are exact for linear fields.
     pub(super) is_corrected: bool,
     pub(super) artificial_stress: Option<ArtificialStress<T>>,
@@ -59,7 +63,7 @@ pub(super) struct Scratch<T: Real, const D: usize> {
     /// Whether each wall particle is near enough to the material to have a pressure; empty where no wall
     /// extrapolates.
     pub(super) reached: Vec<bool>,
-    /// ∇v by rows \[1/s\]; empty without strain control.
+    /// ∇v by rows \[1/s\]; empty without control of what it does not see.
     pub(super) velocity_gradient: Vec<[Vector<T, D>; D]>,
     /// B by rows \[-\]; empty unless gradients are corrected.
     pub(super) correction: Vec<[Vector<T, D>; D]>,
@@ -82,6 +86,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             diffusion,
             gradient_weight: GradientWeight::default(),
             strain_control: T::ZERO,
+            hourglass_control: None,
             is_corrected: false,
             artificial_stress: None,
             source: None,
@@ -107,6 +112,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Checks what came, and who is near whom.
     pub(super) fn settle<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
         self.check_fields(setting)?;
+        self.prepare_hold();
         self.find_neighbours();
         Ok(())
     }
@@ -123,6 +129,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         self.sum_own_pairs(setting); // (52), (58); (53), (55)
         self.add_renormalised_diffusion(setting); // (52), second sum, in the form of Antuono et al.
         self.add_strain_control(setting);
+        self.add_hourglass_control(setting);
         self.rub_contacts(setting); // (55)
         self.add_artificial_stress(setting);
     }

@@ -35,6 +35,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         }
         *self.fields_mut(target) = fields;
         self.advance_fraction(target, base_moment, dt);
+        self.advance_hold(target, base_moment, dt);
         returned
     }
 

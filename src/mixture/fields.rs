@@ -74,6 +74,9 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             permute(&mut fraction.half, order);
             permute(&mut fraction.rate, order);
         }
+        for array in self.hold.arrays() {
+            permute(array, order);
+        }
         permute(&mut self.pressure, order);
         permute(&mut self.rate.acceleration, order);
         permute(&mut self.rate.excess, order);

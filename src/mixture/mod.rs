@@ -17,6 +17,7 @@ mod evolve;
 mod extrapolation;
 mod fields;
 mod filling;
+mod hourglass;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
 mod ledger;
@@ -52,6 +53,7 @@ pub use artificial_stress::ArtificialStress;
 pub use continuity::DensityDiffusion;
 pub use coupling::CouplingForm;
 pub use drag_scheme::DragScheme;
+pub use hourglass::HourglassControl;
 #[cfg(feature = "implicit")]
 pub use implicit_drag::DragSolver;
 pub use momentum::ArtificialViscosity;

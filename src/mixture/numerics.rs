@@ -2,7 +2,10 @@
 
 use super::relaxation::{LatticeExcess, Relaxation};
 use super::setting::BodyForce;
-use super::{ArtificialStress, ArtificialViscosity, CouplingForm, DensityDiffusion, GradientWeight, Mixture};
+use super::{
+    ArtificialStress, ArtificialViscosity, CouplingForm, DensityDiffusion, GradientWeight, HourglassControl,
+    Mixture,
+};
 use crate::error::ParameterError;
 use crate::kernel::Kernel;
 use crate::lanes::InstructionSet;
@@ -181,6 +184,17 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             return Err(ParameterError::new("strain_control", strength, "from 0 to 2"));
         }
         self.water.strain_control = strength;
+        Ok(self)
+    }
+
+    /// Forces against motion that the velocity gradient (65) of soil does not see; none by default. Meant for elastic
+    /// bodies with free surfaces, beside [`with_gradient_correction`](Self::with_gradient_correction), which are lost
+    /// without; costs one more pass. Of soil that yields, what the elastic part holds is not bounded by its strength.
+    ///
+    /// # Errors
+    /// The stiffness is not in [0, 10], or the viscosity not in [0, 1].
+    pub fn with_hourglass_control(mut self, control: HourglassControl<T>) -> Result<Self, ParameterError> {
+        self.soil.hourglass_control = Some(control.checked()?);
         Ok(self)
     }
 

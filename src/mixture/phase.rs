@@ -1,6 +1,7 @@
 //! One constituent: its law and every per-particle array.
 
 use super::fields::{EvolvingFraction, Fields, Rates};
+use super::hourglass::ElasticHold;
 use super::opening::Inflow;
 use super::wall::{Slip, Wall, WallKind};
 use crate::material::{Material, Memory};
@@ -36,6 +37,8 @@ pub struct Phase<T: Real, const D: usize, M: Material<T>> {
     pub(crate) rate: Rates<T, D, M::Memory>,
     /// Of water that shares its space with soil.
     pub(crate) evolving_fraction: Option<EvolvingFraction<T>>,
+    /// What holds soil against motion its velocity gradient does not see.
+    pub(crate) hold: ElasticHold<T, D>,
     pub(crate) pressure: Vec<T>,
     /// τ \[Pa\]; empty while the law has none.
     pub(crate) deviator: Vec<SymTensor<T>>,
@@ -62,6 +65,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             half: Fields::none(),
             rate: Rates::none(),
             evolving_fraction: None,
+            hold: ElasticHold::default(),
             pressure: Vec::new(),
             deviator: Vec::new(),
             wall_acceleration: Vec::new(),

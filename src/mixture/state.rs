@@ -3,6 +3,7 @@
 use super::Mixture;
 use super::constituent::Constituent;
 use super::fields::{EvolvingFraction, Fields, Rates};
+use super::hourglass::ElasticHold;
 use super::phase::Phase;
 use crate::budget::Exchange;
 use crate::error::ParameterError;
@@ -21,6 +22,7 @@ pub(crate) struct PhaseState<T: Real, const D: usize, M> {
     mass: Vec<T>,
     volume_fraction: Vec<T>,
     evolving_fraction: Option<EvolvingFraction<T>>,
+    hold: ElasticHold<T, D>,
     pressure: Vec<T>,
     now: Fields<T, D, M>,
     half: Fields<T, D, M>,
@@ -81,6 +83,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             mass: self.mass.clone(),
             volume_fraction: self.volume_fraction.clone(),
             evolving_fraction: self.evolving_fraction.clone(),
+            hold: self.hold.clone(),
             pressure: self.pressure.clone(),
             now: self.now.clone(),
             half: self.half.clone(),
@@ -94,6 +97,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// it.
     fn fits(&self, state: &PhaseState<T, D, M::Memory>, is_open: bool) -> Result<(), ParameterError> {
         let count = if is_open { state.len() } else { self.len() };
+        let [now, half, rate] = state.hold.lengths(count);
         let lengths = [
             state.id.len(),
             state.body.len(),
@@ -102,6 +106,9 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             state.volume_fraction.len(),
             state.evolving_fraction.as_ref().map_or(count, |fraction| fraction.half.len()),
             state.evolving_fraction.as_ref().map_or(count, |fraction| fraction.rate.len()),
+            now,
+            half,
+            rate,
             state.pressure.len(),
             state.now.len(),
             state.half.len(),
@@ -132,6 +139,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         self.mass = state.mass;
         self.volume_fraction = state.volume_fraction;
         self.evolving_fraction = state.evolving_fraction;
+        self.hold = state.hold;
         self.pressure = state.pressure;
         self.now = state.now;
         self.half = state.half;

@@ -102,23 +102,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if strength <= T::ZERO {
             return;
         }
-        self.extrapolate_gradient(setting);
-        let (phase, shown) = (&self.phase, &self.scratch.wall_velocity);
-        let gradients = &self.scratch.velocity_gradient;
-        self.neighbourhood.pack::<UnseenMotion<K, D>>(
-            &phase.position,
-            &mut self.scratch.records,
-            &[T::ZERO; 13][..1 + D * D + D],
-            &|i, record: &mut [T]| {
-                // Fluid glides along without friction.
-                record[0] = if phase.is_gliding(i) { T::ZERO } else { phase.volume(i) };
-                write_rows(record, &gradients[i]);
-                let v = shown.get(i).unwrap_or(&phase.now.velocity[i]);
-                record[1 + D * D..1 + D * D + D].copy_from_slice(&v.0);
-            },
-        );
-        let formula = UnseenMotion::<K, D> { kernel: setting.kernel.clone() };
-        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
+        self.sum_unseen_motion(setting);
         let mut taken = 0.0;
         for i in 0..self.phase.len() {
             if self.phase.is_gliding(i) {
@@ -132,7 +116,29 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         self.exchange_rate.taken[Account::Viscosity] += taken;
     }
 
-    /// The velocity gradient of wall particles: the mean of the fluid's beside them.
+    /// `Σ V_j [v_ij − ½(∇v_i + ∇v_j) x_ij] F` of each particle, into the extra sums.
+    pub(super) fn sum_unseen_motion<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+        self.extrapolate_gradient(setting);
+        let (phase, shown) = (&self.phase, &self.scratch.wall_velocity);
+        let gradients = &self.scratch.velocity_gradient;
+        self.neighbourhood.pack::<UnseenMotion<K, D>>(
+            &phase.position,
+            &mut self.scratch.records,
+            &[T::ZERO; 13][..1 + D * D + D],
+            &|i, record: &mut [T]| {
+                // What glides along does so without friction.
+                record[0] = if phase.is_gliding(i) { T::ZERO } else { phase.volume(i) };
+                write_rows(record, &gradients[i]);
+                let v = shown.get(i).unwrap_or(&phase.now.velocity[i]);
+                record[1 + D * D..1 + D * D + D].copy_from_slice(&v.0);
+            },
+        );
+        let formula = UnseenMotion::<K, D> { kernel: setting.kernel.clone() };
+        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.extra);
+    }
+
+    /// The velocity gradient of wall particles: the mean of the material's beside them. Soil that a wall's particles
+    /// are made of has its own.
     fn extrapolate_gradient<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let walls = self.phase.wall_particles();
         if walls == 0 {
@@ -151,6 +157,9 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         let formula = GradientExtrapolation::<K, D> { kernel: setting.kernel.clone() };
         self.neighbourhood.sum_first(walls, &formula, &self.scratch.records, &mut self.scratch.extra);
         for i in 0..walls {
+            if M::RIGID_GRAINS && self.phase.is_evolving(i) {
+                continue;
+            }
             let weight = self.scratch.extra.get(i, 0);
             let inverse = if weight > T::ZERO { T::ONE / weight } else { T::ZERO };
             for a in 0..D {

@@ -57,7 +57,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Deviatoric stress of a law that does not store it, rate of the memory, and what the law loses, all
     /// under the gradient just summed.
     fn apply_law(&mut self) {
-        if self.strain_control > T::ZERO {
+        if self.strain_control > T::ZERO || self.hourglass_control.is_some() {
             let gradients = (0..self.phase.len()).map(|i| self.velocity_gradient(i)).collect();
             self.scratch.velocity_gradient = gradients;
         }

@@ -23,6 +23,7 @@ mod errata;
 mod fingerprint;
 mod forensics;
 mod from_outside;
+mod hourglass;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
 mod integrators;

@@ -62,6 +62,9 @@ impl<T: Real, M: Material<T>> Material<T> for MistakenLaw<M> {
     fn sound_speed(&self) -> T {
         self.law.sound_speed()
     }
+    fn shear_modulus(&self) -> T {
+        self.law.shear_modulus()
+    }
     fn fastest_wave(&self) -> T {
         self.law.fastest_wave()
     }
