@@ -47,8 +47,9 @@ pub fn studies() -> Vec<Study> {
     vec![
         Study::new(
             "mixture/consolidation/2d/f64",
-            "pore pressure drains from a loaded layer of soil as Terzaghi's series says, with the coefficient \
-             of compressible water (values: rms difference over the pressure at the start)",
+            "without density diffusion, pore pressure drains from a loaded layer of soil as Terzaghi's series \
+             says, with the coefficient of compressible water (values: rms difference over the pressure at the \
+             start; with the usual diffusion as noted)",
             |c| {
                 let course = |diffusion| differences(EVALUATED, &TIMES, layered(EVALUATED, diffusion, c), c);
                 let diffused = course(DensityDiffusion::Hydrostatic(0.1));

@@ -194,8 +194,8 @@ fn compare(one: &Record, other: &Record) -> Measured {
 fn convergence(preset: Preset) -> Study {
     let claim = match preset {
         Preset::Default => {
-            "the horizontal velocity at t = 0.2 s converges to a finite-volume solution (78) with an order \
-             between 0 and 1 (Fig. 5)"
+            "the horizontal velocity at t = 0.2 s comes nearer to a finite-volume solution (78) the finer the \
+             spacing, but by less than its first power, and hardly any more between the two finest (Fig. 5)"
         }
         // Eight neighbours, at h = Δx, whatever the spacing.
         Preset::Paper => {

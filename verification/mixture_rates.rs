@@ -2,6 +2,7 @@
 //! identity, momentum, no force at uniform pressure, drag as Darcy's law has it.
 
 use crate::balance::{self, random};
+use crate::seepage::Powered;
 use crate::soil::{GRAINS, elastic, elasticity};
 use crate::water::{periodic, water};
 use alluvium::budget::Account;
@@ -219,6 +220,9 @@ fn momentum<T: Real, const D: usize>(name: &str, largest: f64) -> Study {
     .mutant(ONE_SIDED)
 }
 
+/// φ_s of every particle of soil.
+const SOLID: f64 = 0.5;
+
 /// Soil and water on the same lattice, the water displaced by a part of the spacing, in a periodic box.
 fn displaced<T: Real, const D: usize>(
     displacement: f64,
@@ -231,7 +235,7 @@ fn displaced<T: Real, const D: usize>(
     let volume = T::of(spacing.powi(D as i32));
     let mut soil = Phase::new(elastic::<T>());
     soil.add(&places, volume, |_| T::ZERO).expect("particles");
-    soil.set_volume_fraction(|_| T::of(0.5));
+    soil.set_volume_fraction(|_| T::of(SOLID));
     let shift =
         Vector::of(core::array::from_fn(|k| displacement * spacing * if k == 0 { 1.0 } else { 0.37 }));
     let moved: Vec<Vector<T, D>> = places.iter().map(|x| *x + shift).collect();
@@ -289,19 +293,6 @@ fn locked(name: &str) -> Study {
     .mutant("pressure by differences")
 }
 
-/// A wrong law of drag.
-#[derive(Debug)]
-struct Wrong<T> {
-    right: Darcy<T>,
-    power: i32,
-}
-
-impl<T: Real> DragLaw<T> for Wrong<T> {
-    fn coefficient(&self, fraction: T, true_density: T, slip: T) -> T {
-        self.right.coefficient(T::ONE, true_density, slip) * fraction.powi(self.power)
-    }
-}
-
 fn drag<T: Real, const D: usize>(name: &str, largest: f64) -> Study {
     Study::new(
         name,
@@ -315,24 +306,23 @@ fn drag<T: Real, const D: usize>(name: &str, largest: f64) -> Study {
                 (_, true) => 3,
                 _ => 2,
             };
-            let mut mixture = displaced::<T, D>(0.0, 0.0, Wrong { right, power });
+            let mut mixture = displaced::<T, D>(0.0, 0.0, Powered { right, power });
             let mut velocity = Vector::zero();
             velocity[0] = T::of(slip);
             mixture.water_mut().set_velocity(|_| velocity);
             mixture.evaluate().expect("rates");
             let (soil, water) = (mixture.soil(), mixture.water());
             let (rho_s, rho_f) = (soil.density(0).as_f64(), water.density(0).as_f64());
-            let fraction = water.volume_fraction(0).as_f64();
-            let coefficient = fraction * fraction * 1000.0 * 9.81 / k;
-            let kernel = mixture.kernel();
             let side: i64 = if D == 2 { 20 } else { 10 };
-            let sum = lattice_sum::<T, D>(kernel, 1.0 / side as f64);
+            let sum = lattice_sum::<T, D>(mixture.kernel(), 1.0 / side as f64);
+            let fraction = 1.0 - SOLID * sum; // (3), (68)
+            let coefficient = fraction * fraction * 1000.0 * 9.81 / k;
             let expected = slip * sum * coefficient * (1.0 / rho_f + 1.0 / rho_s);
             let rate = (soil.accelerations()[3][0] - water.accelerations()[3][0]).as_f64();
             Measured::value(rate / expected - 1.0)
         },
     )
-    .equations(&["37", "55", "58"])
+    .equations(&["3", "37", "55", "58", "68"])
     .source("DUSTYBOX; S₀ is the kernel's lattice sum")
     .expect(Expected::Bound { largest })
     .mutant(FULL_WEIGHT)

@@ -29,7 +29,7 @@ pub fn studies() -> Vec<Study> {
     ]
 }
 
-/// A law of drag with another power of φ.
+/// Darcy's law, or with another power of φ than its second.
 #[derive(Debug)]
 pub struct Powered<T> {
     pub right: Darcy<T>,
@@ -38,7 +38,7 @@ pub struct Powered<T> {
 
 impl<T: Real> DragLaw<T> for Powered<T> {
     fn coefficient(&self, fraction: T, true_density: T, slip: T) -> T {
-        self.right.coefficient(T::ONE, true_density, slip) * fraction.powi(self.power)
+        self.right.coefficient(fraction, true_density, slip) * fraction.powi(self.power - 2)
     }
 }
 

@@ -14,7 +14,7 @@ pub struct Environment {
     pub instructions: &'static str,
     /// The compiler, as it calls itself.
     pub compiler: String,
-    /// The commit, with `-dirty` behind it if files have been changed since.
+    /// The commit this library was built from, with `+` behind it if files differed from it.
     pub commit: String,
     /// Whether optimisation was on.
     pub optimised: bool,
@@ -28,17 +28,14 @@ impl Environment {
             Some(line.split_once(':')?.1.trim().to_owned())
         });
         let compiler = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
-        let commit = answer("git", &["rev-parse", "HEAD"]).map(|commit| {
-            let changes = answer("git", &["status", "--porcelain", "--untracked-files=no"]);
-            if changes.is_none_or(|text| text.is_empty()) { commit } else { commit + "-dirty" }
-        });
+        let commit = option_env!("ALLUVIUM_COMMIT").filter(|commit| !commit.is_empty());
         let unknown = || "unknown".to_owned();
         Self {
             processor: processor.unwrap_or_else(unknown),
             cores: std::thread::available_parallelism().map_or(1, usize::from),
             instructions: crate::InstructionSet::detect().name(),
             compiler: answer(&compiler, &["--version"]).unwrap_or_else(unknown),
-            commit: commit.unwrap_or_else(unknown),
+            commit: commit.map_or_else(unknown, str::to_owned),
             optimised: !cfg!(debug_assertions),
         }
     }
