@@ -13,6 +13,7 @@ mod case_soil;
 #[cfg(feature = "case")]
 mod case_soil_build;
 mod cavitation;
+#[cfg(feature = "implicit")]
 mod coupled_bits;
 mod determinism;
 mod drag_laws;
