@@ -6,8 +6,7 @@
 //!
 //! The method is that of Wang, Wang, Peng & Meng (2016), *J. Hydraul. Eng.*,
 //! [10.1061/(ASCE)HY.1943-7900.0001163](https://doi.org/10.1061/(ASCE)HY.1943-7900.0001163); numbers in
-//! brackets such as (58) are its equations. Water and soil are
-//! complete, each alone. For water, continuity (52) and momentum (58) are
+//! brackets such as (58) are its equations. For water, continuity (52) and momentum (58) are
 //!
 //! $$\frac{D\rho_i}{Dt} = \sum_j m_j\,\mathbf v_{ij}\cdot\nabla_i W_{ij} + \delta h c \sum_j
 //! \boldsymbol\psi_{ij}\cdot\nabla_i W_{ij}\,\frac{m_j}{\rho_j},$$

@@ -109,7 +109,8 @@ fn noise(spacing: f64, level: Level) -> Study {
 }
 
 fn tightness(spacing: f64, level: Level) -> Study {
-    let claim = "extrapolated walls neither leak nor hold particles back (values: how many)";
+    let claim = "until the water reaches the far wall, extrapolated walls neither leak nor hold particles back (values: how \
+                 many; the program counts on to 0.5 s)";
     Study::new(name("walls", Preset::Default, spacing), claim, move |conditions| {
         let record = record::<f64>(Preset::Default, spacing, END, conditions);
         Measured::values([("leaked", record.leaked as f64), ("stuck", record.stuck as f64)])

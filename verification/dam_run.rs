@@ -146,6 +146,7 @@ fn watch<T: Real, const D: usize>(mut run: Simulation<T, D>, end: f64, condition
                 ..record
             };
         }
+        record.leaked = record.leaked.max(dam_break::leaked(run.mixture()));
         if stop < 0.21 && record.noise.len() < 2 {
             look(&run, &mut record);
         }
@@ -155,7 +156,6 @@ fn watch<T: Real, const D: usize>(mut run: Simulation<T, D>, end: f64, condition
 
 fn look<T: Real, const D: usize>(run: &Simulation<T, D>, record: &mut Record) {
     record.noise.push(dam_break::pressure_noise(run.mixture()).0);
-    record.leaked = record.leaked.max(dam_break::leaked(run.mixture()));
     record.stuck = record.stuck.max(dam_break::stuck(run.mixture()));
     let error = reference().velocity_error(run.mixture());
     (record.error, record.left_out) = (error.l2, error.left_out);

@@ -1,7 +1,7 @@
 //! Whole runs of the program: exit codes and files.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 const TINY: &str = r#"
 name = "tiny"
@@ -48,6 +48,21 @@ fn run(folder: &Path, case: &str) -> Output {
 
 fn program(arguments: &[&std::ffi::OsStr]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_alluvium")).args(arguments).output().unwrap()
+}
+
+/// Who reads a run's lines may go; the run goes on to its end.
+#[test]
+fn a_run_needs_no_listener() {
+    let folder = scratch("unheard");
+    let (case, out) = (folder.join("case.toml"), folder.join("out"));
+    std::fs::write(&case, TINY).unwrap();
+    let mut run = Command::new(env!("CARGO_BIN_EXE_alluvium"));
+    run.arg("run").arg(&case).arg("--out").arg(&out).args(["--threads", "1"]);
+    let mut child = run.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop((child.stdout.take(), child.stderr.take()));
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert!(std::fs::read_to_string(out.join("manifest.json")).unwrap().contains("\"done\""));
+    std::fs::remove_dir_all(&folder).unwrap();
 }
 
 /// The resolved case of a run, run again, is the same run to the last bit of a dump.

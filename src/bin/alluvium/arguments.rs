@@ -73,9 +73,9 @@ pub struct OutputOptions {
     /// What to do if the folder is not empty.
     #[arg(long, value_enum, default_value_t = Existing::Error)]
     pub existing: Existing,
-    /// Threads; 0 is one per core. Results do not depend on it [default: the case's].
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
+    /// Threads, up to 4096; 0 is one per core. Results do not depend on it [default: the case's].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=4096))]
+    pub threads: Option<u16>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,5 +1,6 @@
 //! Ctrl-C: the first asks the run to stop after its step, the second stops the program at once.
 
+use crate::screen;
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -15,7 +16,7 @@ pub fn listen() {
             }
         });
         if let Err(error) = listening {
-            eprintln!("warning: ctrl-C will not write the last state: {error}");
+            screen::say(format_args!("warning: ctrl-C will not write the last state: {error}"));
         }
     });
 }

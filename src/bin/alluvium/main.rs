@@ -14,6 +14,7 @@ mod published;
 mod reporter;
 mod reproduce;
 mod run;
+mod screen;
 mod simulated;
 mod solver;
 #[cfg(test)]
@@ -31,16 +32,13 @@ fn main() -> ExitCode {
         Command::Run(options) => run::run_file(options),
         Command::Check(options) => preflight::check_file(&options.case),
         Command::Drive(options) => drive::drive(options),
-        Command::List => {
-            reproduce::list();
-            Ok(())
-        }
+        Command::List => reproduce::list(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if !matches!(failure, Failure::Interrupted) {
-                eprintln!("{failure}");
+                screen::say(&failure);
             }
             ExitCode::from(failure.code())
         }

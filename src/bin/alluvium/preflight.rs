@@ -3,16 +3,19 @@
 use crate::connect;
 use crate::outcome::Failure;
 use crate::run::read_case;
+use crate::screen;
 use alluvium::case::{Case, DragPlan, Soil, StepLimit, StepSize};
 use std::path::Path;
 
 /// `alluvium check CASE.toml`.
 pub fn check_file(path: &Path) -> Result<(), Failure> {
     let (case, warnings) = read_case(path)?;
-    print!("{warnings}");
+    if !warnings.problems.is_empty() {
+        screen::print(warnings.to_string().trim_end())?;
+    }
     connect::offers(&case)?;
-    println!("{}", summary(&case));
-    println!("{}: valid", path.display());
+    screen::print(summary(&case))?;
+    screen::print(format_args!("{}: valid", path.display()))?;
     Ok(())
 }
 

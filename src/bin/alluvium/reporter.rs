@@ -3,6 +3,7 @@
 
 use crate::folder::RunFolder;
 use crate::outcome::Failure;
+use crate::screen;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{IsTerminal, Write};
@@ -36,8 +37,8 @@ impl Reporter {
     pub fn say(&mut self, line: &str) {
         self.note(line);
         match &self.bar {
-            Some(bar) => bar.suspend(|| eprintln!("{line}")),
-            None => eprintln!("{line}"),
+            Some(bar) => bar.suspend(|| screen::say(line)),
+            None => screen::say(line),
         }
     }
 

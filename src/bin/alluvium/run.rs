@@ -71,7 +71,7 @@ pub fn run_with(
     options: &OutputOptions,
     onlooker: &mut Onlooker<'_>,
 ) -> Result<Finished, Failure> {
-    case.threads = options.threads.unwrap_or(case.threads);
+    case.threads = options.threads.map_or(case.threads, usize::from);
     let threads = Threads::new(case.threads).map_err(|error| Failure::Usage(error.to_string()))?;
     threads.install(|| {
         let mut solver = connect(&case)?;

@@ -9,6 +9,7 @@ use crate::outcome::Failure;
 use crate::plots::convergence;
 use crate::published::volume_of_fluid;
 use crate::run::run_case;
+use crate::screen;
 use alluvium::case::Case;
 use alluvium::output::TableWriter;
 use alluvium::verify::OrderFit;
@@ -34,7 +35,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let path = options.output.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&options.name));
     let mut folder = RunFolder::create(&path, options.output.existing)?;
     let case = case_of(options, finest)?.0;
-    let mut manifest = Manifest::new(&case, options.output.threads.unwrap_or(case.threads));
+    let mut manifest = Manifest::new(&case, options.output.threads.map_or(case.threads, usize::from));
     manifest.write(&mut folder)?;
     let count = if options.quick { 3 } else { 4 };
     let mut points = Vec::new();
@@ -85,8 +86,8 @@ fn present(folder: &mut RunFolder, case: &Case, points: &[Point]) -> Result<(), 
     folder.write("pictures/convergence.svg", &svg)?;
     let report = report(case, points, fit);
     folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("picture in {}", folder.path().join("pictures").display());
+    screen::print(report)?;
+    screen::print(format_args!("picture in {}", folder.path().join("pictures").display()))?;
     Ok(())
 }
 

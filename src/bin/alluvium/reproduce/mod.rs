@@ -14,6 +14,7 @@ mod vertical_cut;
 
 use crate::arguments::ReproduceOptions;
 use crate::outcome::Failure;
+use crate::screen;
 use alluvium::output::TableError;
 
 struct Reproduction {
@@ -130,10 +131,11 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
 }
 
 /// `alluvium list`.
-pub fn list() {
+pub fn list() -> Result<(), Failure> {
     for Reproduction { name, about, .. } in ALL {
-        println!("{name}\n    {about}");
+        screen::print(format_args!("{name}\n    {about}"))?;
     }
+    Ok(())
 }
 
 fn bad_table(name: &str, error: &TableError) -> Failure {

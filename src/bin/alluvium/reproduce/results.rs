@@ -6,6 +6,7 @@ use crate::folder::RunFolder;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
 use crate::run::Finished;
+use crate::screen;
 use alluvium::output::Table;
 
 /// Folder and history of a run.
@@ -41,8 +42,8 @@ impl Results {
     /// Writes and prints the report.
     pub fn conclude(mut self, report: &str) -> Result<(), Failure> {
         self.folder.write("report.md", report)?;
-        println!("{report}");
-        println!("pictures in {}", self.folder.path().join("pictures").display());
+        screen::print(report)?;
+        screen::print(format_args!("pictures in {}", self.folder.path().join("pictures").display()))?;
         self.manifest.write(&mut self.folder)
     }
 }

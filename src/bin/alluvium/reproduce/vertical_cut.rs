@@ -8,6 +8,7 @@ use crate::manifest::Manifest;
 use crate::outcome::Failure;
 use crate::plots::{Panel, ParticlePicture};
 use crate::run::run_case;
+use crate::screen;
 use alluvium::case::{Case, Warnings};
 use alluvium::verify::sand_column::{Pile, Section};
 use std::path::{Path, PathBuf};
@@ -33,7 +34,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let path = options.output.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&options.name));
     let mut folder = RunFolder::create(&path, options.output.existing)?;
     let case = case(RATIOS[0], spacing, options)?.0;
-    let mut manifest = Manifest::new(&case, options.output.threads.unwrap_or(case.threads));
+    let mut manifest = Manifest::new(&case, options.output.threads.map_or(case.threads, usize::from));
     manifest.write(&mut folder)?;
     let (mut bars, mut panels, mut steps) = (Bars::default(), Vec::new(), 0);
     for ratio in RATIOS {
@@ -65,8 +66,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
         bars.markdown()
     );
     folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("picture in {}", folder.path().join("pictures").display());
+    screen::print(report)?;
+    screen::print(format_args!("picture in {}", folder.path().join("pictures").display()))?;
     manifest.end("done".to_owned(), steps);
     manifest.write(&mut folder)
 }

@@ -6,6 +6,7 @@ use crate::folder::RunFolder;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
+use crate::screen;
 use alluvium::output::TableWriter;
 use alluvium::verify::jet::TANK;
 use core::fmt::Write;
@@ -64,7 +65,7 @@ fn compare(options: &ReproduceOptions, axis: Axis, jets: Vec<(f64, Jet)>) -> Res
     let path = options.output.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&options.name));
     let mut folder = RunFolder::create(&path, options.output.existing)?;
     let case = jets[0].1.case(options)?.0;
-    let mut manifest = Manifest::new(&case, options.output.threads.unwrap_or(case.threads));
+    let mut manifest = Manifest::new(&case, options.output.threads.map_or(case.threads, usize::from));
     manifest.write(&mut folder)?;
     let mut done = Vec::new();
     for (value, jet) in jets {
@@ -102,8 +103,8 @@ fn compare(options: &ReproduceOptions, axis: Axis, jets: Vec<(f64, Jet)>) -> Res
     folder.write("pictures/depths.svg", &depth.with(Series::points("depth", depths)).svg())?;
     folder.write("pictures/holes.svg", &chart.svg())?;
     folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("picture in {}", folder.path().join("pictures").display());
+    screen::print(report)?;
+    screen::print(format_args!("picture in {}", folder.path().join("pictures").display()))?;
     manifest.end("done".to_owned(), 0);
     manifest.write(&mut folder)
 }

@@ -8,6 +8,7 @@ use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
 use crate::reproduce::head;
 use crate::run::run_case;
+use crate::screen;
 use alluvium::output::TableWriter;
 use alluvium::verify::sand_column::{Pile, RUN_OUT, ScalingLaw, run_out};
 use core::fmt::Write;
@@ -58,7 +59,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let path = options.output.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&options.name));
     let mut folder = RunFolder::create(&path, options.output.existing)?;
     let case = columns[0].case(options)?.0;
-    let mut manifest = Manifest::new(&case, options.output.threads.unwrap_or(case.threads));
+    let mut manifest = Manifest::new(&case, options.output.threads.map_or(case.threads, usize::from));
     manifest.write(&mut folder)?;
     let points = columns.iter().map(|column| run(column, options, &path)).collect::<Result<Vec<_>, _>>()?;
     present(&mut folder, &points, spacing)?;
@@ -108,8 +109,8 @@ fn present(folder: &mut RunFolder, points: &[Point], spacing: f64) -> Result<(),
     folder.write("pictures/run_out.svg", &picture(&computed, spacing))?;
     let report = report(points, spacing);
     folder.write("report.md", &report)?;
-    println!("{report}");
-    println!("picture in {}", folder.path().join("pictures").display());
+    screen::print(report)?;
+    screen::print(format_args!("picture in {}", folder.path().join("pictures").display()))?;
     Ok(())
 }
 
