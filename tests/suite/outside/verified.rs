@@ -1,5 +1,6 @@
 //! What is added from outside, verified in three lines each; and what the studies say of wrong ones.
 
+use super::drag_law::Mat;
 use super::integrator::{Euler, Heun};
 use super::jelly::Jelly;
 use super::kernel::Lucy;
@@ -10,6 +11,7 @@ use alluvium::time::{Evolve, Integrator, Moment};
 use alluvium::verify::{self, Broken, Study, ready};
 
 const HOOKE: Hooke = Hooke { density: 1000.0, sound_speed: 25.0 };
+const MAT: Mat = Mat { viscous: 200.0, inertial: 4e3 };
 const JELLY: Jelly = Jelly { density: 1000.0, sound_speed: 20.0, shear: 3e4, turns: 1.0 };
 
 #[test]
@@ -37,6 +39,11 @@ fn the_integrator_is_of_second_order() -> Result<(), Broken> {
     verify::all(ready::integrator::<f64, _>("Heun", || Heun))
 }
 
+#[test]
+fn the_drag_is_drag() -> Result<(), Broken> {
+    verify::all(ready::drag::<f64, _>("mat", MAT))
+}
+
 /// Every mutant of the studies is noticed with what is added here, too.
 #[test]
 fn the_studies_can_fail() {
@@ -44,6 +51,7 @@ fn the_studies_can_fail() {
     studies.extend(ready::law("jelly", JELLY));
     studies.extend(ready::search::<f64, 2>("sweep", || Box::new(Sweep::new())));
     studies.extend(ready::integrator::<f64, _>("Heun", || Heun));
+    studies.extend(ready::drag::<f64, _>("mat", MAT));
     for study in &studies {
         for mutant in &study.mutants {
             let outcome = study.run_mutant(mutant);
@@ -112,6 +120,12 @@ fn integrators_of_first_order_are_told() {
     assert!(said.contains("order 1.0") && said.contains("expected an order of at least 1.9"), "{said}");
     let said = verdict(ready::integrator::<f64, _>("Euler", || Euler));
     assert!(said.starts_with("4 of 5 claims broke\nEuler/undamped"), "{said}");
+}
+
+#[test]
+fn drag_that_drives_is_told() {
+    let said = verdict(ready::drag::<f64, _>("mat", Mat { viscous: -1.0, ..MAT }));
+    assert!(said.contains("mat/sign: the coefficient is finite and not negative"), "{said}");
 }
 
 #[test]
