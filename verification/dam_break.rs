@@ -1,11 +1,9 @@
 //! The paper's water dam break against published measurements (Figs. 3, 5).
 
 use crate::bands::{Band, WITHIN, measured};
-use crate::dam_run::{
-    Closing, HEAVY, LIGHT, Record, THIN, UNBOOKED, UNDAMPED, published as curve, record, slab_record,
-};
+use crate::dam_run::{HEAVY, LIGHT, Record, UNDAMPED, published as curve, record, slab_record};
 use alluvium::Preset;
-use alluvium::verify::{Conditions, Expected, Level, Measured, Study, fit_order};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 
 const MARTIN_MOYCE: &str = include_str!("data/martin_moyce_1952_n2eq2_front.csv");
 const KOSHIZUKA: &str = include_str!("data/koshizuka_oka_1996_experiment.csv");
@@ -27,21 +25,12 @@ pub fn studies() -> Vec<Study> {
             studies.push(published(preset, spacing, level));
         }
         studies.push(noise(spacing, level));
-        studies.push(tightness(spacing, level));
     }
-    studies.push(closure("dynamic walls, Courant number 0.2", closing::DYNAMIC, 1e-4));
-    studies.push(closure("extrapolated walls, Courant number 0.05", closing::EXTRAPOLATED, 1e-4));
-    let reinitialised = closing::REINITIALISED;
-    studies.push(closure("default preset with (70), Courant number 0.2", reinitialised, 2e-3));
-    let fine = Closing { spacing: MIDDLE, ..reinitialised };
-    studies.push(
-        closure("default preset with (70), Courant number 0.2, Δx = 0.0025 m", fine, 2e-3).level(Level::Full),
-    );
-    studies.push(closure("the paper's preset with (70), Courant number 0.1", closing::PAPER, 2e-3));
     studies.extend([Preset::Paper, Preset::Default].map(resolution));
     studies.push(precision());
     studies.push(slab());
-    studies.push(convergence(Preset::Default).expect(Expected::Order { at_least: 0.0, at_most: 1.0 }));
+    let falls = Expected::Approach { at_least: 1.0 / 3.0, at_most: 1.0, largest: 0.02 };
+    studies.push(convergence(Preset::Default).expect(falls));
     studies.push(convergence(Preset::Paper).expect(Expected::Plateau { value: 0.06, tolerance: 0.1 }));
     studies
 }
@@ -108,57 +97,17 @@ fn noise(spacing: f64, level: Level) -> Study {
     .mutant(UNDAMPED)
 }
 
-fn tightness(spacing: f64, level: Level) -> Study {
-    let claim = "until the water reaches the far wall, extrapolated walls neither leak nor hold particles back (values: how \
-                 many; the program counts on to 0.5 s)";
-    Study::new(name("walls", Preset::Default, spacing), claim, move |conditions| {
-        let record = record::<f64>(Preset::Default, spacing, END, conditions);
-        Measured::values([("leaked", record.leaked as f64), ("stuck", record.stuck as f64)])
-    })
-    .source("a wall is a wall")
-    .level(level)
-    .mutant(THIN)
-}
-
-/// What the ledger is followed through.
-mod closing {
-    use super::COARSE;
-    use crate::dam_run::Closing;
-    use alluvium::Preset::{Default, Paper};
-
-    pub const DYNAMIC: Closing =
-        Closing { preset: Default, spacing: COARSE, dynamic: true, courant: 0.2, reinitialise_every: 0 };
-    /// Flakes of spray hold together under suction, and their vibration grows with Δt³; at 0.2 closure is
-    /// 1.6e-3 at the end.
-    pub const EXTRAPOLATED: Closing = Closing { dynamic: false, courant: 0.05, ..DYNAMIC };
-    /// Reinitialisation takes the suction away.
-    pub const REINITIALISED: Closing = Closing { dynamic: false, reinitialise_every: 20, ..DYNAMIC };
-    /// At h = Δx the vibration is faster: closure is 5.6e-3 at the paper's own step, which is a Courant number
-    /// of 0.2, and 0.3 at 0.3 (docs/decisions/0016-the-papers-dam-break.md).
-    pub const PAPER: Closing = Closing { preset: Paper, courant: 0.1, reinitialise_every: 20, ..DYNAMIC };
-}
-
-fn closure(what: &str, closing: Closing, largest: f64) -> Study {
-    let claim = "energy closes to t = 0.5 s, all accounts booked, relative to the initial potential energy";
-    Study::new(format!("dam-break/closure/{what}"), claim, move |conditions| {
-        Measured::value(closing.run(conditions).closure)
-    })
-    .equations(&["52", "58", "59", "70", "71"])
-    .source("conservation of energy")
-    .expect(Expected::Bound { largest })
-    .mutant(UNBOOKED)
-}
-
 fn resolution(preset: Preset) -> Study {
     let claim = "the leading edge at Δx = 0.00125 m is within 1 % of the one at 0.0025 m";
     Study::new(name("resolution", preset, FINE), claim, move |conditions| {
-        let coarse = record::<f64>(preset, MIDDLE, END, conditions);
+        let coarse = record::<f64>(preset, MIDDLE, END, &Conditions::default());
         let fine = record::<f64>(preset, FINE, END, conditions);
         compare(&coarse, &fine)
     })
     .source(SOURCE)
     .level(Level::Full)
     .expect(Expected::Bound { largest: 0.01 })
+    .mutant(LIGHT)
 }
 
 fn precision() -> Study {
@@ -193,24 +142,31 @@ fn compare(one: &Record, other: &Record) -> Measured {
 }
 
 fn convergence(preset: Preset) -> Study {
+    let what = "L₂ error (78) of the horizontal velocity of all particles at t = 0.2 s against a finite-volume \
+                solution, those more than 1.5 cells from any cell of water left out and counted (Fig. 5, where \
+                the order is below one)";
     let claim = match preset {
-        Preset::Default => {
-            "the horizontal velocity at t = 0.2 s comes nearer to a finite-volume solution (78) the finer the \
-             spacing, but by less than its first power, and hardly any more between the two finest (Fig. 5)"
-        }
+        Preset::Default => format!(
+            "{what}: from Δx = 0.01 to 0.00125 m it falls by an order, fitted over all four, from one third, which \
+             is to half of what it was, to one, and ends below 2 % of the typical velocity; between the two \
+             finest, where the finite volumes have cells as large as the spacing, no order is claimed"
+        ),
         // Eight neighbours, at h = Δx, whatever the spacing.
-        Preset::Paper => {
-            "with the paper's preset the horizontal velocity at t = 0.2 s stays as far from a finite-volume \
-             solution (78) as it is: the error of sums over eight neighbours does not fall with the spacing"
-        }
+        Preset::Paper => format!(
+            "{what}: with the paper's preset it stays as it is, 0.06 ± 10 %, for the error of sums over eight \
+             neighbours does not fall with the spacing"
+        ),
     };
     Study::new(name("convergence", preset, FINE), claim, move |conditions| {
         let spacings = [0.01, COARSE, MIDDLE, FINE];
         let records = spacings.map(|spacing| record::<f64>(preset, spacing, END, conditions));
-        let points: Vec<_> = spacings.iter().zip(&records).map(|(&h, record)| (h, record.error)).collect();
-        let fitted = fit_order(&points).map_or(f64::NAN, |fit| fit.order);
+        let mut measured =
+            Measured::errors(spacings.iter().zip(&records).map(|(&h, record)| (h, record.error)));
+        for (point, record) in measured.points.iter_mut().zip(&records) {
+            point.label = format!("{} left out of {}", record.left_out, record.left_out + record.compared);
+        }
         let left_out = records.map(|record| record.left_out.to_string()).join(", ");
-        Measured::errors(points).note(format!("fitted order {fitted:.2}; left out {left_out} particles"))
+        measured.note(format!("left out {left_out} particles"))
     })
     .equations(&["78"])
     .source("an interFoam solution on 320 × 192 cells, in verification/data; the paper's Fig. 5")

@@ -22,6 +22,7 @@ mod clouds;
 mod consolidation;
 mod coupled_waves;
 mod dam_break;
+mod dam_ledger;
 mod dam_run;
 mod driver;
 mod driver_laws;
@@ -88,6 +89,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 fn studies() -> Vec<Study> {
     [
         dam_break::studies(),
+        dam_ledger::studies(),
         kernels::studies(),
         lattice_sums::studies(),
         extrapolation::studies(),

@@ -26,11 +26,12 @@ pub struct Tank<const D: usize> {
 }
 
 impl Tank<2> {
-    /// The paper's dam break (Table 1).
+    /// The paper's dam break (Table 1). The walls are five times as high as the column, to keep all that shoots
+    /// up the far side.
     pub fn dam_break(spacing: f64, preset: Preset) -> Self {
         Self {
             water: [dam_break::WIDTH, dam_break::HEIGHT],
-            tank: [dam_break::TANK, 2.0 * dam_break::HEIGHT],
+            tank: [dam_break::TANK, 5.0 * dam_break::HEIGHT],
             spacing,
             sound_speed: 25.0,
             viscosity: 1e-3,

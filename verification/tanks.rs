@@ -23,14 +23,17 @@ const RIGID: &str = "the profile of incompressible water expected";
 
 pub fn studies() -> Vec<Study> {
     vec![
-        wave::<f64, LeapFrog<f64>>("gravity wave/f64", LeapFrog::new(), &[15]),
-        wave::<f32, LeapFrog<f32>>("gravity wave/f32", LeapFrog::new(), &[15]),
-        wave::<f64, VelocityVerlet>("gravity wave/verlet", VelocityVerlet::new(), &[15]),
-        wave::<f64, LeapFrog<f64>>("gravity wave/fine", LeapFrog::new(), &[15, 30]).level(Level::Full),
+        wave::<f64, 2, _>("gravity wave/2d/f64", LeapFrog::new(), &[15]),
+        wave::<f32, 2, _>("gravity wave/2d/f32", LeapFrog::new(), &[15]),
+        wave::<f64, 2, _>("gravity wave/verlet", VelocityVerlet::new(), &[15]),
+        wave::<f64, 2, _>("gravity wave/fine", LeapFrog::new(), &[15, 30]).level(Level::Full),
+        wave::<f64, 3, _>("gravity wave/3d/f64", LeapFrog::new(), &[15]).level(Level::Full),
+        wave::<f32, 3, _>("gravity wave/3d/f32", LeapFrog::new(), &[15]).level(Level::Full),
         rest::<f64, 2>("rest/2d/f64", 20),
         rest::<f32, 2>("rest/2d/f32", 20),
         rest::<f64, 2>("rest/fine", 40).level(Level::Full),
-        rest::<f64, 3>("rest/3d", 20).level(Level::Full),
+        rest::<f64, 3>("rest/3d/f64", 20).level(Level::Full),
+        rest::<f32, 3>("rest/3d/f32", 20).level(Level::Full),
     ]
 }
 
@@ -78,11 +81,15 @@ fn hydrostatic(depth: f64, gravity: f64, sound: f64, z: f64) -> f64 {
     stiffness * ((1.0 + 6.0 * gravity * below / (sound * sound)).powf(7.0 / 6.0) - 1.0)
 }
 
-fn wave<T: Real, I: Integrator<T> + Sync>(name: &str, integrator: I, rows: &'static [usize]) -> Study {
+fn wave<T: Real, const D: usize, I: Integrator<T> + Sync>(
+    name: &str,
+    integrator: I,
+    rows: &'static [usize],
+) -> Study {
     Study::new(name, "a standing wave on water of finite depth has ω² = gk tanh kH", move |conditions| {
         Measured::errors(rows.iter().map(|&rows| {
             let spacing = DEPTH / rows as f64;
-            (spacing, wave_error::<T, I>(spacing, &integrator, conditions))
+            (spacing, wave_error::<T, D, I>(spacing, &integrator, conditions))
         }))
     })
     .equations(&["16", "52", "58", "71"])
@@ -91,18 +98,26 @@ fn wave<T: Real, I: Integrator<T> + Sync>(name: &str, integrator: I, rows: &'sta
     .mutant(LIGHT)
 }
 
-/// Relative error of the frequency over two periods.
-fn wave_error<T: Real, I: Integrator<T>>(spacing: f64, integrator: &I, conditions: &Conditions) -> f64 {
+/// Relative error of the frequency over two periods; in 3D of a wave along x, across which space repeats itself.
+fn wave_error<T: Real, const D: usize, I: Integrator<T>>(
+    spacing: f64,
+    integrator: &I,
+    conditions: &Conditions,
+) -> f64 {
     let gravity = if conditions.is(LIGHT) { 0.9 * G } else { G };
     let k = PI / LENGTH;
     let exact = (G * k * (k * DEPTH).tanh()).sqrt();
-    let mode = move |x: [f64; 2]| {
-        let scale = 1.0 / (k * DEPTH).sinh();
-        [-(k * x[0]).sin() * (k * x[1]).cosh() * scale, (k * x[0]).cos() * (k * x[1]).sinh() * scale]
+    let mode = move |x: [f64; D]| {
+        let (scale, height) = (1.0 / (k * DEPTH).sinh(), k * x[D - 1]);
+        let mut v = [0.0; D];
+        v[0] = -(k * x[0]).sin() * height.cosh() * scale;
+        v[D - 1] = (k * x[0]).cos() * height.sinh() * scale;
+        v
     };
-    let mut mixture = tank::<T, 2>([LENGTH, DEPTH], spacing, true, SOUND, gravity, |z| {
-        hydrostatic(DEPTH, gravity, SOUND, z)
-    });
+    let mut size = [10.0 * spacing; D];
+    (size[0], size[D - 1]) = (LENGTH, DEPTH);
+    let still = |z| hydrostatic(DEPTH, gravity, SOUND, z);
+    let mut mixture = tank::<T, D>(size, spacing, true, SOUND, gravity, still);
     // A tenth of the depth high: less would be a fraction of a spacing, which rows of particles at a
     // wall of particles resist.
     let speed = 0.1 * DEPTH * exact;
@@ -116,7 +131,7 @@ fn wave_error<T: Real, I: Integrator<T>>(spacing: f64, integrator: &I, condition
             let free = water.wall_particles()..water.len();
             let dot = |i: usize| {
                 let (m, v) = (mode(water.positions()[i].as_f64()), water.velocities()[i].as_f64());
-                (m[0] * v[0] + m[1] * v[1], m[0] * m[0] + m[1] * m[1])
+                (m[0] * v[0] + m[D - 1] * v[D - 1], m[0] * m[0] + m[D - 1] * m[D - 1])
             };
             let (up, down) = free.map(dot).fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
             series.push((run.time(), up / (down * speed)));

@@ -34,7 +34,14 @@ pub fn studies() -> Vec<Study> {
 
 fn study<T: Real>(name: &str, sides: &'static [usize], seeds: &'static [u64]) -> Study {
     Study::new(name, "Taylor–Green vortices lose energy at the rate 16π²/Re", move |conditions| {
-        Measured::errors(sides.iter().map(|&side| (1.0 / side as f64, error::<T>(side, seeds, conditions))))
+        let errors: Vec<_> =
+            sides.iter().map(|&side| Mean::of(&errors::<T>(side, seeds, conditions))).collect();
+        let points = sides.iter().zip(&errors).map(|(&side, error)| (1.0 / side as f64, error.value.abs()));
+        let measured = Measured::errors(points);
+        match &errors[..] {
+            [.., coarse, fine] => measured.note(scatter(coarse, fine)),
+            _ => measured,
+        }
     })
     .equations(&["14", "15", "58", "62"])
     .source(SOURCE)
@@ -43,21 +50,44 @@ fn study<T: Real>(name: &str, sides: &'static [usize], seeds: &'static [u64]) ->
     .mutant(LATTICE)
 }
 
-/// The error of the rate, its mean over several disorders.
-fn error<T: Real>(side: usize, seeds: &[u64], conditions: &Conditions) -> f64 {
+/// The error of the rate in each of several disorders.
+fn errors<T: Real>(side: usize, seeds: &[u64], conditions: &Conditions) -> Vec<f64> {
     let viscosity = if conditions.is(DOUBLE) { 2.0 } else { 1.0 } / REYNOLDS;
     let jitter = if conditions.is(LATTICE) { 0.0 } else { 0.2 };
     let exact = -16.0 * PI * PI / REYNOLDS;
-    let mut error = 0.0;
-    for &seed in seeds {
-        error += match run::<T>(side, (jitter, seed), viscosity) {
-            Ok(series) => (growth_rate(&series) / exact - 1.0) / seeds.len() as f64,
-            // Mirror images may end up at one place: that is measured, as no number.
-            Err(_) if conditions.is(LATTICE) => f64::NAN,
-            Err(error) => panic!("{error}"),
-        };
+    let error = |&seed: &u64| match run::<T>(side, (jitter, seed), viscosity) {
+        Ok(series) => growth_rate(&series) / exact - 1.0,
+        // Mirror images may end up at one place: that is measured, as no number.
+        Err(_) if conditions.is(LATTICE) => f64::NAN,
+        Err(error) => panic!("{error}"),
+    };
+    seeds.iter().map(error).collect()
+}
+
+/// A mean and its standard error.
+struct Mean {
+    value: f64,
+    standard_error: f64,
+}
+
+impl Mean {
+    fn of(numbers: &[f64]) -> Self {
+        let count = numbers.len() as f64;
+        let value = numbers.iter().sum::<f64>() / count;
+        let square = numbers.iter().map(|x| (x - value) * (x - value)).sum::<f64>() / (count - 1.0);
+        Self { value, standard_error: (square / count).sqrt() }
     }
-    error.abs()
+}
+
+/// How far the order between two resolutions is known, as the disorders scatter.
+fn scatter(coarse: &Mean, fine: &Mean) -> String {
+    let part = |mean: &Mean| mean.standard_error / mean.value;
+    let order = (coarse.value / fine.value).abs().log2();
+    let error = part(coarse).hypot(part(fine)) / std::f64::consts::LN_2;
+    format!(
+        "order between the two finest {order:.2}, standard error {error:.2}; errors {:.2e} ± {:.1e} and {:.2e} ± {:.1e}",
+        coarse.value, coarse.standard_error, fine.value, fine.standard_error
+    )
 }
 
 fn exact_velocity(x: [f64; 2]) -> [f64; 2] {

@@ -2,8 +2,9 @@
 
 use crate::kernel::Kernel;
 use crate::material::Material;
-use crate::mixture::Mixture;
+use crate::mixture::{Mixture, Phase};
 use crate::real::{Num, Real};
+use crate::space::Vector;
 use std::collections::BTreeMap;
 
 pub use super::Curve;
@@ -154,16 +155,32 @@ impl Reference {
     }
 }
 
-/// How many particles are outside the tank's walls, sideways or below.
+/// How many particles went through the tank's walls, sideways or below, or over them: they are beyond the
+/// first layer of wall particles, which is half a spacing behind the face.
 pub fn leaked<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
     mixture: &Mixture<T, D, K, S, F>,
 ) -> usize {
-    let water = mixture.water();
-    let outside = |x: f64, y: f64| !(0.0..=TANK).contains(&x) || y < 0.0;
-    water.positions()[water.wall_particles()..]
-        .iter()
-        .filter(|x| outside(x[0].as_f64(), x[1].as_f64()))
-        .count()
+    let layer = 0.5 * spacing(mixture.water());
+    behind(mixture.water()).filter(|&depth| depth > layer).count()
+}
+
+/// How far the farthest particle is behind the face of the tank's walls, in spacings; zero where none is. Below
+/// one half it is pressed against the wall, between the face and the wall's first layer.
+pub fn deepest<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    mixture: &Mixture<T, D, K, S, F>,
+) -> f64 {
+    behind(mixture.water()).fold(0.0, f64::max) / spacing(mixture.water())
+}
+
+/// How far each particle is behind the face of a wall \[m\]; negative inside the tank.
+fn behind<T: Real, const D: usize, M: Material<T>>(water: &Phase<T, D, M>) -> impl Iterator<Item = f64> {
+    let depth = |x: &Vector<T, D>| (-x[0].as_f64()).max(x[0].as_f64() - TANK).max(-x[1].as_f64());
+    water.positions()[water.wall_particles()..].iter().map(depth)
+}
+
+/// The particles' spacing \[m\], that of the largest.
+fn spacing<T: Real, const D: usize, M: Material<T>>(water: &Phase<T, D, M>) -> f64 {
+    (0..water.len()).map(|i| water.volume(i)).fold(T::ZERO, Num::max).as_f64().powf(1.0 / D as f64)
 }
 
 /// How many particles hang at the left wall, two spacings or more above the surface beside it.
@@ -171,8 +188,7 @@ pub fn stuck<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Materi
     mixture: &Mixture<T, D, K, S, F>,
 ) -> usize {
     let water = mixture.water();
-    let spacing =
-        (0..water.len()).map(|i| water.volume(i)).fold(T::ZERO, Num::max).as_f64().powf(1.0 / D as f64);
+    let spacing = spacing(water);
     let particles = &water.positions()[water.wall_particles()..];
     let near = |x: f64, from: f64, to: f64| (from * spacing..to * spacing).contains(&x);
     let beside = particles.iter().filter(|x| near(x[0].as_f64(), 3.0, 8.0));

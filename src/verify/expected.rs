@@ -32,6 +32,16 @@ pub enum Expected {
         /// The largest relative deviation from it.
         tolerance: f64,
     },
+    /// The error falls, if not in its asymptotic range: the order fitted over all resolutions lies in this
+    /// interval, and at the finest the error is at most `largest`.
+    Approach {
+        /// Smallest fitted order accepted.
+        at_least: f64,
+        /// Largest fitted order accepted.
+        at_most: f64,
+        /// The largest error accepted at the finest resolution.
+        largest: f64,
+    },
     /// Nothing differs: every value, a number of differences, is zero.
     Identical,
 }
@@ -119,6 +129,13 @@ impl Expected {
                 let met = (error - value).abs() <= tolerance * value.abs() && order.abs() < 0.5;
                 (met, format!("error {error:.4e}, last order {order:.3}; {self}"))
             }
+            Self::Approach { at_least, at_most, largest } => {
+                let error = measured.points.last().map_or(f64::NAN, |point| point.value);
+                let (order, half_width) = fit_order(&measured.pairs())
+                    .map_or((f64::NAN, f64::NAN), |fit| (fit.order, fit.half_width));
+                let met = (at_least..=at_most).contains(&order) && error <= largest;
+                (met, format!("fitted order {order:.3} ± {half_width:.2}, error {error:.4e}; {self}"))
+            }
             Self::Value { value, tolerance } => {
                 let (worst, at) = farthest(measured, value);
                 ((worst - value).abs() <= tolerance, format!("farthest value {worst:.10e}{at}; {self}"))
@@ -162,6 +179,13 @@ impl core::fmt::Display for Expected {
             Self::Plateau { value, tolerance } => {
                 write!(f, "expected to stay at {value:.4e} ± {} %", 100.0 * tolerance)
             }
+            Self::Approach { at_least, at_most, largest } => {
+                let largest = short(*largest);
+                write!(
+                    f,
+                    "expected a fitted order of {at_least:.2} to {at_most:.2} and at last at most {largest}"
+                )
+            }
             Self::Identical => write!(f, "expected none"),
         }
     }
@@ -190,6 +214,10 @@ mod tests {
         assert!(met(Expected::Plateau { value: 0.03, tolerance: 0.01 }, &flat));
         assert!(!met(Expected::Plateau { value: 0.02, tolerance: 0.01 }, &flat));
         assert!(!met(Expected::Plateau { value: 0.01, tolerance: 0.01 }, &second));
+        let slow = Expected::Approach { at_least: 0.3, at_most: 1.0, largest: 0.04 };
+        assert!(met(slow, &Measured::errors([(0.4, 0.06), (0.2, 0.045), (0.1, 0.035)])));
+        assert!(!met(slow, &Measured::errors([(0.4, 0.07), (0.2, 0.055), (0.1, 0.045)])));
+        assert!(!met(slow, &flat) && !met(slow, &second));
         let two = Measured::values([("a", 1.0), ("b", -1.1)]);
         assert!(met(Expected::Bound { largest: 1.2 }, &two) && !met(Expected::Bound { largest: 1.05 }, &two));
         let one = Measured::value(1.0);
@@ -205,6 +233,7 @@ mod tests {
             Expected::Value { value: 0.0, tolerance: 1e9 },
             Expected::Bound { largest: 1e9 },
             Expected::Plateau { value: 1.0, tolerance: 1e9 },
+            Expected::Approach { at_least: -1e9, at_most: 1e9, largest: 1e9 },
             Expected::Identical,
         ];
         let nan = f64::NAN;
