@@ -30,18 +30,25 @@ pub fn studies() -> Vec<Study> {
          between 50 and 100, so that no order is claimed there; one above 3.5 would be that change, not convergence"
     );
     vec![
-        study::<f64>("taylor-green/f64", rate, &[50], &[3]),
-        study::<f32>("taylor-green/f32", rate, &[50], &[3]),
-        study::<f64>("taylor-green/order", &order, &[25, 50, 100], &[3, 4, 5])
+        study::<f64, 2>("taylor-green/2d/f64", rate, &[50], &[3]),
+        study::<f32, 2>("taylor-green/2d/f32", rate, &[50], &[3]),
+        study::<f64, 3>("taylor-green/3d/f64", rate, &[50], &[3]).level(Level::Full),
+        study::<f32, 3>("taylor-green/3d/f32", rate, &[50], &[3]).level(Level::Full),
+        study::<f64, 2>("taylor-green/order", &order, &[25, 50, 100], &[3, 4, 5])
             .level(Level::Full)
             .expect(Expected::Approach { at_least: 1.5, at_most: 3.5, largest: 1.0 / (SOUND * SOUND) }),
     ]
 }
 
-fn study<T: Real>(name: &str, claim: &str, sides: &'static [usize], seeds: &'static [u64]) -> Study {
+fn study<T: Real, const D: usize>(
+    name: &str,
+    claim: &str,
+    sides: &'static [usize],
+    seeds: &'static [u64],
+) -> Study {
     Study::new(name, claim, move |conditions| {
         let errors: Vec<_> =
-            sides.iter().map(|&side| Mean::of(&errors::<T>(side, seeds, conditions))).collect();
+            sides.iter().map(|&side| Mean::of(&errors::<T, D>(side, seeds, conditions))).collect();
         let points = sides.iter().zip(&errors).map(|(&side, error)| (1.0 / side as f64, error.value.abs()));
         let measured = Measured::errors(points);
         let named = sides.iter().zip(&errors).filter(|_| seeds.len() > 1);
@@ -58,11 +65,11 @@ fn study<T: Real>(name: &str, claim: &str, sides: &'static [usize], seeds: &'sta
 }
 
 /// The error of the rate in each of several disorders.
-fn errors<T: Real>(side: usize, seeds: &[u64], conditions: &Conditions) -> Vec<f64> {
+fn errors<T: Real, const D: usize>(side: usize, seeds: &[u64], conditions: &Conditions) -> Vec<f64> {
     let viscosity = if conditions.is(DOUBLE) { 2.0 } else { 1.0 } / REYNOLDS;
     let jitter = if conditions.is(LATTICE) { 0.0 } else { 0.2 };
     let exact = -16.0 * PI * PI / REYNOLDS;
-    let error = |&seed: &u64| match run::<T>(side, (jitter, seed), viscosity) {
+    let error = |&seed: &u64| match run::<T, D>(side, (jitter, seed), viscosity) {
         Ok(series) => growth_rate(&series) / exact - 1.0,
         // Mirror images may end up at one place: that is measured, as no number.
         Err(_) if conditions.is(LATTICE) => f64::NAN,
@@ -86,25 +93,37 @@ impl Mean {
     }
 }
 
-fn exact_velocity(x: [f64; 2]) -> [f64; 2] {
+/// Plane, in 3D too.
+fn exact_velocity<const D: usize>(x: [f64; D]) -> [f64; D] {
     let ((sx, cx), (sy, cy)) = ((2.0 * PI * x[0]).sin_cos(), (2.0 * PI * x[1]).sin_cos());
-    [-cx * sy, sx * cy]
+    let mut v = [0.0; D];
+    (v[0], v[1]) = (-cx * sy, sx * cy);
+    v
 }
 
-/// Kinetic energy over the first one.
-fn run<T: Real>(side: usize, (jitter, seed): (f64, u64), viscosity: f64) -> Result<Series, StepError> {
+/// Kinetic energy, over the first one in 2D. In 3D of a slab of ten layers: thicker than the support is wide.
+fn run<T: Real, const D: usize>(
+    side: usize,
+    (jitter, seed): (f64, u64),
+    viscosity: f64,
+) -> Result<Series, StepError> {
     let spacing = 1.0 / side as f64;
     let mut phase = Phase::new(water::<T>(SOUND, viscosity));
-    let places = Arrangement::<2>::jittered(side, jitter, seed).positions();
+    let layers = if D == 2 { 1 } else { 10 };
+    let mut size = [1.0; D];
+    size[2..].fill(layers as f64 * spacing);
+    // The last axis runs slowest.
+    let mut places = Arrangement::<D>::jittered(side, jitter, seed).positions();
+    places.truncate(side * side * layers);
     // So much that there is no suction anywhere, which would clump.
-    let pressure = |x: &Vector<T, 2>| {
-        let [x, y] = x.as_f64();
+    let pressure = |x: &Vector<T, D>| {
+        let [x, y] = [0, 1].map(|axis| x[axis].as_f64());
         T::of(1000.0 * (0.5 - 0.25 * ((4.0 * PI * x).cos() + (4.0 * PI * y).cos())))
     };
-    phase.add(&places, T::of(spacing * spacing), pressure).expect("particles");
+    phase.add(&places, T::of(spacing.powi(D as i32)), pressure).expect("particles");
     phase.set_velocity(|x| Vector::of(exact_velocity(x.as_f64())));
     let mixture = bare(2.0 * spacing, phase)
-        .with_periodic(periodic([1.0; 2]))
+        .with_periodic(periodic(size))
         .with_density_diffusion(DensityDiffusion::TrueDensity(T::of(0.1)))
         .expect("numerics");
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).expect("0.2"));

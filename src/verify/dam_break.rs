@@ -198,3 +198,28 @@ pub fn stuck<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Materi
         .filter(|x| near(x[0].as_f64(), -9.0, 2.0) && x[1].as_f64() > surface + 2.0 * spacing)
         .count()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::WendlandC2;
+    use crate::material::Water;
+
+    #[test]
+    fn a_particle_pressed_against_a_wall_is_not_through_it() {
+        let spacing = 0.01;
+        let mixture = |places: &[[f64; 2]]| {
+            let mut phase = Phase::new(Water::new(1000.0, 25.0).expect("water"));
+            let places: Vec<_> = places.iter().map(|&x| Vector(x)).collect();
+            phase.add(&places, spacing * spacing, |_| 0.0).expect("particles");
+            Mixture::<f64, 2>::of_water(WendlandC2::new(1.3 * spacing).expect("a length"), phase)
+        };
+        let pressed = mixture(&[[-0.4 * spacing, 0.1], [0.2, -0.3 * spacing], [0.2, 0.1]]);
+        assert_eq!(leaked(&pressed), 0);
+        assert!((deepest(&pressed) - 0.4).abs() < 1e-12);
+        let through = mixture(&[[-0.6 * spacing, 0.1], [0.2, -0.7 * spacing], [TANK + 1.0, 2.0], [0.2, 0.1]]);
+        assert_eq!(leaked(&through), 3);
+        assert!((deepest(&through) - 100.0).abs() < 1e-9);
+        assert_eq!(deepest(&mixture(&[[0.2, 0.1]])), 0.0);
+    }
+}
