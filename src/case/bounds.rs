@@ -21,11 +21,6 @@ pub(super) const fn from_to(low: f64, high: f64, unit: &'static str) -> Bounds {
     Bounds { low, low_included: true, high, unit }
 }
 
-/// Any finite number.
-pub(super) const fn finite(unit: &'static str) -> Bounds {
-    from_to(-f64::MAX, f64::MAX, unit)
-}
-
 impl Bounds {
     pub(super) fn contains(&self, x: f64) -> bool {
         x.is_finite() && x <= self.high && (x > self.low || (self.low_included && x == self.low))
@@ -37,12 +32,9 @@ impl fmt::Display for Bounds {
         let Self { low, low_included, high, .. } = *self;
         let show = |x: f64| if x.abs() < 1e5 { format!("{x:?}") } else { format!("{x:e}") };
         let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
-        match (low_included, low == -f64::MAX, high == f64::MAX) {
-            (_, true, true) => write!(f, "a finite number{unit}"),
-            (false, _, true) => write!(f, "a number above {}{unit}", show(low)),
-            (false, ..) => write!(f, "a number above {}, at most {}{unit}", show(low), show(high)),
-            (true, _, true) => write!(f, "a number, at least {}{unit}", show(low)),
-            (true, ..) => write!(f, "a number from {} to {}{unit}", show(low), show(high)),
+        match low_included {
+            false => write!(f, "a number above {}, at most {}{unit}", show(low), show(high)),
+            true => write!(f, "a number from {} to {}{unit}", show(low), show(high)),
         }
     }
 }

@@ -5,9 +5,11 @@ mod mixing;
 mod soil;
 mod tank;
 
+use super::choice::Precision;
 use super::model::{Case, Dumps, StepSize, Water};
 use super::read::expected_speed;
 use super::reader::Reader;
+use crate::kernel;
 use crate::material::{self, Material};
 use crate::preset::Preset;
 use core::ops::Range;
@@ -18,6 +20,7 @@ const MOST_DUMPS: f64 = 1e5;
 /// Records what does not fit, and what is doubtful.
 pub(super) fn check(reader: &Reader<'_>, case: &Case) {
     particles(reader, case);
+    kernel(reader, case);
     bodies::bodies(reader, case);
     if let Some(tank) = &case.tank {
         tank::tank(reader, case, tank);
@@ -60,6 +63,20 @@ fn particles(reader: &Reader<'_>, case: &Case) {
         };
         let why = format!("makes {count:.1e} {what}particles");
         reader.error("particles.spacing_m", &why, format!("at most {MOST_PARTICLES:e} particles"));
+    }
+}
+
+/// A kernel's slope must be a number of the case's precision.
+fn kernel(reader: &Reader<'_>, case: &Case) {
+    let largest = match case.precision {
+        Precision::F32 => f64::from(f32::MAX),
+        Precision::F64 => f64::MAX,
+    };
+    let (h, shortest) = (case.smoothing_length(), kernel::shortest(largest, case.dimension));
+    if h < shortest {
+        let why = format!("makes the smoothing length {h:.3e} m, too short for {} numbers", case.precision);
+        let least = shortest / case.particles.smoothing_ratio;
+        reader.error("particles.spacing_m", &why, format!("at least {least:.3e} [m]"));
     }
 }
 

@@ -23,6 +23,7 @@ mod build;
 mod check;
 mod choice;
 mod model;
+mod objection;
 mod plan;
 mod preset;
 mod problem;
@@ -42,6 +43,7 @@ pub use model::{
     Block, Case, Drag, Dumps, Frictional, Gauge, Inflow, Mixing, MovingWall, Neighbours, Output, Particles,
     Region, Seepage, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
 };
+pub use objection::Objection;
 pub use plan::{DragPlan, StepLimit};
 pub use problem::{CaseError, Problem, Warnings};
 

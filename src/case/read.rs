@@ -17,6 +17,7 @@ use super::section::Section;
 use crate::preset::Preset;
 
 const NAME: &str = "letters, digits, - and _ (it names files)";
+/// Places are within this of the origin \[m\].
 const FAR: f64 = 1e7;
 
 /// What the tables are read with: the problems' home, the defaults, the dimension.

@@ -42,14 +42,23 @@ pub fn second_moment<T: Real, const D: usize>(kernel: &impl Kernel<T, D>) -> f64
     surface * (at(0) + inner) * step / 3.0 / (D as f64 * h * h)
 }
 
+/// More than any kernel's slope times `h^{D+2}` \[-\].
+const STEEPEST: f64 = 1e3;
+
 /// `h` must be positive and finite, and `h^{−D−2}`, the unit of slopes, representable; `D` 1, 2 or 3.
 fn checked<T: Real>(h: T, dimension: usize) -> Result<T, ParameterError> {
-    let steepest = T::of(1e3 / power(h.as_f64(), dimension + 2));
+    let steepest = T::of(STEEPEST / power(h.as_f64(), dimension + 2));
     if !(h > T::ZERO && h.is_finite() && steepest.is_finite()) {
         return Err(ParameterError::new("smoothing_length", h, "a positive length [m]"));
     }
     assert!((1..=3).contains(&dimension), "kernels exist in 1 to 3 dimensions");
     Ok(h)
+}
+
+/// The shortest smoothing length \[m\] of kernels in numbers up to `largest`, with a hundredth to spare.
+#[cfg(feature = "case")]
+pub(crate) fn shortest(largest: f64, dimension: usize) -> f64 {
+    1.01 * (STEEPEST / largest).powf(1.0 / (dimension as f64 + 2.0))
 }
 
 /// `hᴰ` in double precision.

@@ -189,6 +189,12 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         if !phase.rate.acceleration[i].is_finite() {
             return bad("acceleration", self.added_term(setting, i));
         }
+        // Each component may be a number where the square, which the limit of forces needs, is none.
+        if !phase.rate.acceleration[i].norm2().is_finite() {
+            let value = phase.rate.acceleration[i].as_f64().iter().fold(0.0, |a: f64, x| a.hypot(*x));
+            let allowed = format!("less, its square is no number of {}", T::NAME);
+            return StepError::Absurd { culprit, field: "acceleration", value, allowed };
+        }
         let mut nearest = (f64::INFINITY, i);
         self.neighbourhood.for_each_neighbour(&phase.position, i, |j, _, r2: T| {
             if r2.as_f64() < nearest.0 {

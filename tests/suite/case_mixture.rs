@@ -69,7 +69,7 @@ fn the_case_is_the_same_again_with_every_default() {
 }
 
 #[rustfmt::skip]
-const MISTAKES: &[Mistake] = &[
+pub const MISTAKES: &[Mistake] = &[
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "", key: "mixture.hydraulic_conductivity_m_per_s", value: "", what: "missing key", allowed: "[m/s]" },
     Mistake { from: "5e-4\n", to: "-5e-4\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "-5e-4", what: "is out of range", allowed: "above 0.0" },
     Mistake { from: "[mixture]\n", to: "[mixture]\ndrag = \"none\"\n", key: "mixture.hydraulic_conductivity_m_per_s", value: "5e-4", what: "contradicts drag = \"none\"", allowed: "\"darcy\"" },

@@ -13,7 +13,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 /// One array of a `.vtp` file: type, components, bytes.
-fn array(file: &[u8], name: &str) -> (String, usize, Vec<u8>) {
+pub fn array(file: &[u8], name: &str) -> (String, usize, Vec<u8>) {
     let start = file.windows(22).position(|w| w == b"AppendedData encoding=").unwrap();
     let mark = start + file[start..].iter().position(|&b| b == b'_').unwrap() + 1;
     let header = std::str::from_utf8(&file[..start]).unwrap();
@@ -25,7 +25,7 @@ fn array(file: &[u8], name: &str) -> (String, usize, Vec<u8>) {
     (attribute(" type").to_owned(), components, file[at + 8..at + 8 + size].to_vec())
 }
 
-fn doubles(bytes: &[u8]) -> Vec<f64> {
+pub fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
 }
 

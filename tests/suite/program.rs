@@ -1,5 +1,10 @@
 //! Whole runs of the program: exit codes and files.
 
+mod broken;
+mod failing;
+#[cfg(unix)]
+mod signals;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -101,19 +106,6 @@ fn a_run_ends_well_and_can_be_repeated() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
-#[test]
-fn a_broken_case_is_answered_with_3() {
-    let folder = scratch("broken");
-    let output = run(&folder, &TINY.replace("spacing_m", "spacing"));
-    assert_eq!(output.status.code(), Some(3));
-    assert!(errors(&output).contains("spacing_m"), "{}", errors(&output));
-    let kernel = TINY.replace("[particles]", "[particles]\nkernel = \"cubic-spline\"");
-    let output = run(&folder, &kernel);
-    assert_eq!(output.status.code(), Some(3));
-    assert!(errors(&output).contains("cubic-spline"), "{}", errors(&output));
-    std::fs::remove_dir_all(&folder).unwrap();
-}
-
 /// A small pile of sand, in grains of 60 % of its volume.
 const SAND: &str = r#"
 name = "sand"
@@ -159,8 +151,8 @@ fn soil_runs_and_tells_where_its_energy_is() {
     let first = |name: &str| history.column(name).unwrap()[0];
     assert_eq!((first("soil_particles"), first("water_particles")), (50.0, 0.0));
     assert!((first("front [m]") - 0.2).abs() < 1e-12);
-    assert!(first("elastic_energy [J]") > 0.0 && first("compressive_energy [J]") == 0.0);
-    for column in ["taken_by_plastic [J]", "taken_by_cut_off [J]", "force_y_on_wall_-y [N/m]"] {
+    assert!(first("elastic_energy [J/m]") > 0.0 && first("compressive_energy [J/m]") == 0.0);
+    for column in ["taken_by_plastic [J/m]", "taken_by_cut_off [J/m]", "force_y_on_wall_-y [N/m]"] {
         assert!(history.column(column).unwrap().iter().all(|x| x.is_finite()), "{column}");
     }
     // The floor bears the weight: 0.6 · 2650 kg/m³ over 0.02 m².
@@ -178,36 +170,6 @@ fn soil_runs_and_tells_where_its_energy_is() {
     let picture = std::fs::read_to_string(out.join("pictures/particles.svg")).unwrap();
     assert!(picture.contains("equivalent plastic strain"));
     assert_can_be_repeated(&out, "soil_0002.vtp");
-    std::fs::remove_dir_all(&folder).unwrap();
-}
-
-#[test]
-fn every_broken_case_of_soil_is_answered_with_3() {
-    let folder = scratch("broken-soil");
-    let file = folder.join("soil.toml");
-    for mistake in crate::case_soil::MISTAKES {
-        let text = crate::case_soil::SAND.replacen(mistake.from, mistake.to, 1);
-        std::fs::write(&file, text).unwrap();
-        let output = program(&["check".as_ref(), file.as_os_str()]);
-        let shown = errors(&output);
-        assert_eq!(output.status.code(), Some(3), "{shown}");
-        let key = mistake.key.rsplit('.').next().unwrap();
-        for part in ["soil.toml:", key, mistake.value, mistake.what, mistake.allowed] {
-            assert!(shown.contains(part), "`{}`: no `{part}` in\n{shown}", mistake.to);
-        }
-    }
-    std::fs::remove_dir_all(&folder).unwrap();
-}
-
-#[test]
-fn a_far_too_long_step_is_answered_with_4_and_a_dump() {
-    let folder = scratch("failing");
-    let output = run(&folder, &format!("{TINY}\n[time]\ntime_step_s = 0.01\n"));
-    assert_eq!(output.status.code(), Some(4), "{}", errors(&output));
-    assert!(errors(&output).contains("too long"), "{}", errors(&output));
-    let dumps = std::fs::read_dir(folder.join("out/data")).unwrap().count();
-    assert!(dumps >= 3, "the start, the failure and the collection");
-    assert!(std::fs::read_to_string(folder.join("out/manifest.json")).unwrap().contains("too long"));
     std::fs::remove_dir_all(&folder).unwrap();
 }
 

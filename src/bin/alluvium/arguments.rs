@@ -8,7 +8,8 @@ use std::path::PathBuf;
 /// Smoothed particle hydrodynamics of water and soil.
 ///
 /// Exit codes: 0 done, 1 a file could not be read or written, 2 wrong usage, 3 the case or the
-/// law is invalid, 4 the numbers went wrong, 130 interrupted by ctrl-C (after the last state was written).
+/// law is invalid, 4 the numbers went wrong, 130 interrupted by ctrl-C, 143 by SIGTERM (4, 130 and 143
+/// after the last state was written).
 #[derive(Debug, Parser)]
 #[command(name = "alluvium", version, arg_required_else_help = true)]
 pub struct Arguments {

@@ -6,7 +6,7 @@ use crate::outcome::Failure;
 use crate::simulated::Simulated;
 use crate::solver::Solver;
 use alluvium::Real;
-use alluvium::case::{BuildError, Case, IntegratorChoice, KernelChoice, Precision};
+use alluvium::case::{BuildError, Case, IntegratorChoice, KernelChoice, Objection, Precision};
 use alluvium::kernel::{Kernel, WendlandC2, WendlandC4};
 use alluvium::output::Component;
 use alluvium::time::{Integrator, LeapFrog, VelocityVerlet};
@@ -32,17 +32,18 @@ pub fn offers(case: &Case) -> Result<(), Failure> {
 }
 
 fn not_offered(kernel: KernelChoice) -> Failure {
-    Failure::NotInThisBuild(format!(
-        "particles.kernel = \"{kernel}\": the program offers \"wendland-c2\" and \"wendland-c4\", the \
-         others are the library's alone"
-    ))
+    objection(
+        "particles.kernel",
+        format!("is the library's alone: the program was compiled without \"{kernel}\""),
+        "\"wendland-c2\", \"wendland-c4\"".to_owned(),
+    )
 }
 
 fn kernel<T: Real + Component, const D: usize>(case: &Case) -> Connected {
     let h = T::of(case.smoothing_length());
     match case.particles.kernel {
-        KernelChoice::WendlandC2 => integrator::<T, D, _>(case, WendlandC2::new(h).map_err(refused)?),
-        KernelChoice::WendlandC4 => integrator::<T, D, _>(case, WendlandC4::new(h).map_err(refused)?),
+        KernelChoice::WendlandC2 => integrator::<T, D, _>(case, WendlandC2::new(h).map_err(unbuilt(case))?),
+        KernelChoice::WendlandC4 => integrator::<T, D, _>(case, WendlandC4::new(h).map_err(unbuilt(case))?),
         other => Err(not_offered(other)),
     }
 }
@@ -59,10 +60,29 @@ fn simulated<T: Real + Component, const D: usize, K: Kernel<T, D>>(
     kernel: K,
     integrator: impl Integrator<T>,
 ) -> Connected {
-    let simulation = case.simulation::<T, D, K, _>(kernel, integrator).map_err(refused)?;
+    let simulation = case.simulation::<T, D, K, _>(kernel, integrator).map_err(unbuilt(case))?;
     Ok(Box::new(Simulated::new(simulation, case)))
 }
 
-fn refused(error: impl Into<BuildError>) -> Failure {
-    Failure::NotInThisBuild(error.into().to_string())
+/// What is left for the library to refuse: a value that rounds to none in single precision, a part that is
+/// not in this build.
+fn unbuilt<E: Into<BuildError>>(case: &Case) -> impl Fn(E) -> Failure {
+    let precision = case.precision;
+    move |error| match error.into() {
+        BuildError::Parameter(error) => {
+            let why = format!("makes {} = {} of the case's value", error.name, error.value);
+            let allowed = if precision == Precision::F32 { "; or precision = \"f64\"" } else { "" };
+            objection("precision", why, format!("{}{allowed}", error.allowed))
+        }
+        BuildError::Search(search) => objection(
+            "neighbours.search",
+            format!("is not in this build: no \"{search}\""),
+            "another search".to_owned(),
+        ),
+        error => objection("name", format!("cannot be run: {error}"), "another build".to_owned()),
+    }
+}
+
+fn objection(key: &str, why: String, allowed: String) -> Failure {
+    Failure::Refused(Objection { key: key.to_owned(), why, allowed })
 }

@@ -1,6 +1,7 @@
 //! The program `alluvium`: runs cases of soil or water, drives laws, and shows what came out.
 
 mod arguments;
+mod case_file;
 mod connect;
 mod drive;
 mod folder;
@@ -37,7 +38,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            if !matches!(failure, Failure::Interrupted) {
+            if !matches!(failure, Failure::Interrupted { .. }) {
                 screen::say(&failure);
             }
             ExitCode::from(failure.code())

@@ -1,6 +1,6 @@
 //! How a command can fail, and the exit code of each way.
 
-use alluvium::case::CaseError;
+use alluvium::case::{CaseError, Objection};
 use alluvium::error::ParameterError;
 use core::fmt;
 use std::io;
@@ -16,12 +16,15 @@ pub enum Failure {
     Case(CaseError),
     /// No such law.
     Law(ParameterError),
-    /// The case is valid, but this build cannot run it.
-    NotInThisBuild(String),
+    /// The case can be read, but not run by this program.
+    Refused(Objection),
     /// The numbers went wrong; the message names what, where and when.
     Numerical(String),
-    /// Ctrl-C; the last state was written.
-    Interrupted,
+    /// Ctrl-C or SIGTERM; the last state was written.
+    Interrupted {
+        /// The exit code of that signal.
+        code: u8,
+    },
 }
 
 impl Failure {
@@ -30,9 +33,9 @@ impl Failure {
         match self {
             Self::File(_) => 1,
             Self::Usage(_) => 2,
-            Self::Case(_) | Self::Law(_) | Self::NotInThisBuild(_) => 3,
+            Self::Case(_) | Self::Law(_) | Self::Refused(_) => 3,
             Self::Numerical(_) => 4,
-            Self::Interrupted => 130,
+            Self::Interrupted { code } => *code,
         }
     }
 }
@@ -41,11 +44,12 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File(error) => write!(f, "error: {error}"),
-            Self::Usage(what) | Self::NotInThisBuild(what) => write!(f, "error: {what}"),
+            Self::Usage(what) => write!(f, "error: {what}"),
+            Self::Refused(objection) => write!(f, "error: {objection}"),
             Self::Case(error) => write!(f, "{error}"),
             Self::Law(error) => write!(f, "error: {error}"),
             Self::Numerical(what) => write!(f, "error: the run stopped: {what}"),
-            Self::Interrupted => f.write_str("interrupted"),
+            Self::Interrupted { .. } => f.write_str("interrupted"),
         }
     }
 }

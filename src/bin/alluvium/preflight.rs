@@ -1,19 +1,20 @@
 //! What a case means before it is run: sizes, limits of the step, cost.
 
+use crate::case_file::CaseFile;
 use crate::connect;
 use crate::outcome::Failure;
-use crate::run::read_case;
 use crate::screen;
 use alluvium::case::{Case, DragPlan, Soil, StepLimit, StepSize};
 use std::path::Path;
 
 /// `alluvium check CASE.toml`.
 pub fn check_file(path: &Path) -> Result<(), Failure> {
-    let (case, warnings) = read_case(path)?;
+    let file = CaseFile::read(path)?;
+    let (case, warnings) = file.case()?;
     if !warnings.problems.is_empty() {
         screen::print(warnings.to_string().trim_end())?;
     }
-    connect::offers(&case)?;
+    connect::offers(&case).map_err(|failure| file.placed(failure))?;
     screen::print(summary(&case))?;
     screen::print(format_args!("{}: valid", path.display()))?;
     Ok(())

@@ -1,6 +1,7 @@
-//! Running a case: steps, history, gauges, dumps, until the end, a failure or ctrl-C.
+//! Running a case: steps, history, gauges, dumps, until the end, a failure or a signal.
 
 use crate::arguments::{OutputOptions, RunOptions};
+use crate::case_file::CaseFile;
 use crate::connect;
 use crate::folder::RunFolder;
 use crate::gallery::Gallery;
@@ -14,7 +15,7 @@ use alluvium::case::{Case, Warnings};
 use alluvium::output::{Cell, Pvd, TableWriter};
 use alluvium::parallel::Threads;
 use alluvium::time::Limit;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A finished run.
 pub struct Finished {
@@ -35,22 +36,16 @@ pub type Onlooker<'a> = dyn FnMut(f64, &mut dyn Solver) + Send + 'a;
 
 /// `alluvium run CASE.toml`.
 pub fn run_file(options: &RunOptions) -> Result<(), Failure> {
-    let (case, warnings) = read_case(&options.case)?;
+    let file = CaseFile::read(&options.case)?;
+    let (case, warnings) = file.case()?;
     let mut gallery = Gallery::new(&case);
     let mut look = |time: f64, solver: &mut dyn Solver| gallery.look(time, solver);
-    let Finished { mut folder, manifest, .. } =
-        run_case(case.clone(), &warnings, &options.output, &mut look)?;
+    let Finished { mut folder, manifest, .. } = run_case(case.clone(), &warnings, &options.output, &mut look)
+        .map_err(|failure| file.placed(failure))?;
     if let Some(picture) = gallery.svg() {
         folder.write("pictures/particles.svg", &picture)?;
     }
     manifest.write(&mut folder)
-}
-
-/// Reads a case file.
-pub fn read_case(path: &Path) -> Result<(Case, Warnings), Failure> {
-    let unreadable = |error| Failure::Usage(format!("cannot read {}: {error}", path.display()));
-    let text = std::fs::read_to_string(path).map_err(unreadable)?;
-    Ok(Case::parse(&path.display().to_string(), &text)?)
 }
 
 /// Runs a case in its folder; the onlooker gathers what pictures and reports need.
@@ -151,9 +146,9 @@ impl<'a, 'b> Run<'a, 'b> {
             if time >= end {
                 return Ok(());
             }
-            if interrupt::asked() {
+            if let Some(code) = interrupt::asked() {
                 self.dump(solver, whole)?;
-                return Err(Failure::Interrupted);
+                return Err(Failure::Interrupted { code });
             }
             let until = dumps.peek().map_or(end, |due| due.min(end));
             step = match solver.step(until) {

@@ -107,28 +107,28 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
 
     fn quantities(&mut self) -> Vec<(String, f64)> {
         let budget = self.simulation.budget();
-        let unit = if D == 2 { "N/m" } else { "N" };
+        let energy = |name: &str| quantity::head(name, "J", D);
         let mut all = vec![
             (quantity::FRONT.to_owned(), self.front()),
             ("max_speed [m/s]".to_owned(), fastest(self.soil()).max(fastest(self.water()))),
-            (quantity::KINETIC.to_owned(), budget.kinetic),
-            (quantity::POTENTIAL.to_owned(), budget.potential - self.ground),
-            (quantity::COMPRESSIVE.to_owned(), budget.compressive),
-            (quantity::ELASTIC.to_owned(), budget.elastic),
+            (energy(quantity::KINETIC), budget.kinetic),
+            (energy(quantity::POTENTIAL), budget.potential - self.ground),
+            (energy(quantity::COMPRESSIVE), budget.compressive),
+            (energy(quantity::ELASTIC), budget.elastic),
         ];
-        let taken = |account: Account| format!("{}{} [J]", quantity::TAKEN, account.name());
+        let taken = |account: Account| energy(&format!("{}{}", quantity::TAKEN, account.name()));
         all.extend(Account::ALL.map(|account| (taken(account), budget.taken[account])));
-        all.push((quantity::CLOSURE.to_owned(), budget.closure(&self.start)));
+        all.push((energy(quantity::CLOSURE), budget.closure(&self.start)));
         let closure = budget.momentum_closure(&self.start);
         for (axis, momentum) in AXES.into_iter().zip(budget.momentum) {
-            all.push((format!("momentum_{axis} [kg m/s]"), momentum));
+            all.push((quantity::head(&format!("momentum_{axis}"), "N s", D), momentum));
         }
         for (axis, closure) in AXES.into_iter().zip(closure) {
-            all.push((format!("impulse_closure_{axis} [kg m/s]"), closure));
+            all.push((quantity::head(&format!("impulse_closure_{axis}"), "N s", D), closure));
         }
         for (n, side) in self.sides.iter().enumerate() {
             for (axis, force) in AXES.into_iter().zip(self.wall_force(n)) {
-                all.push((format!("force_{axis}_on_wall_{side} [{unit}]"), force));
+                all.push((quantity::head(&format!("force_{axis}_on_wall_{side}"), "N", D), force));
             }
         }
         all.push(("soil_particles".to_owned(), inner(self.soil()).len() as f64));

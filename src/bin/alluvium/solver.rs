@@ -105,21 +105,48 @@ pub struct DamBreak {
     pub velocity: VelocityError,
 }
 
-/// Names of recorded quantities that pictures are drawn from; a solver may record more.
+/// Recorded quantities that pictures are drawn from, and the units of all; a solver may record more.
 pub mod quantity {
+    use alluvium::output::{Table, TableError};
+
     /// Farthest place of the water along x, or of the soil where there is no water: the foremost particle and half its spacing.
     pub const FRONT: &str = "front [m]";
-    /// Energies; per metre of depth in two dimensions.
-    pub const KINETIC: &str = "kinetic_energy [J]";
+    /// Energies.
+    pub const KINETIC: &str = "kinetic_energy";
     /// Above the energy of the lowest state the solver knows.
-    pub const POTENTIAL: &str = "potential_energy [J]";
+    pub const POTENTIAL: &str = "potential_energy";
     /// Of compression.
-    pub const COMPRESSIVE: &str = "compressive_energy [J]";
+    pub const COMPRESSIVE: &str = "compressive_energy";
     /// Of the soil's skeleton.
-    pub const ELASTIC: &str = "elastic_energy [J]";
-    /// Beginning of every column of energy that a term took, as in `taken_by_artificial_viscosity [J]`;
-    /// negative if it gave.
+    pub const ELASTIC: &str = "elastic_energy";
+    /// Beginning of every column of energy that a term took, as in `taken_by_artificial_viscosity`; negative
+    /// if it gave.
     pub const TAKEN: &str = "taken_by_";
+    /// Energy the jet and other inflows took, which is less than none.
+    pub const INFLOW: &str = "taken_by_inflow";
     /// Energy no account explains.
-    pub const CLOSURE: &str = "energy_closure [J]";
+    pub const CLOSURE: &str = "energy_closure";
+
+    /// The unit of what grows with the size of a body, energy, force or momentum: in two dimensions all is of
+    /// one metre of depth.
+    pub fn unit(unit: &str, dimension: usize) -> String {
+        if dimension == 2 { format!("{unit}/m") } else { unit.to_owned() }
+    }
+
+    /// The head of a column of such a quantity, as in `kinetic_energy [J/m]`.
+    pub fn head(name: &str, of: &str, dimension: usize) -> String {
+        format!("{name} [{}]", unit(of, dimension))
+    }
+
+    /// A column's name without its unit.
+    pub fn name(head: &str) -> &str {
+        head.split(" [").next().unwrap_or(head)
+    }
+
+    /// The numbers of a column, found by its name without unit.
+    pub fn column(history: &Table, wanted: &str) -> Result<Vec<f64>, TableError> {
+        let heads = history.columns();
+        let head = heads.iter().find(|head| name(head) == wanted);
+        history.column(head.map_or(wanted, String::as_str))
+    }
 }

@@ -76,14 +76,14 @@ impl Solver for StandIn {
     fn quantities(&mut self) -> Vec<(String, f64)> {
         let lost = 1.0 - 0.5 * self.time;
         let named = [
-            (quantity::FRONT, self.front()),
             (quantity::KINETIC, 1.0 - lost),
             (quantity::POTENTIAL, lost),
             (quantity::COMPRESSIVE, 0.0),
-            ("taken_by_artificial_viscosity [J]", 0.1 * self.time),
+            ("taken_by_artificial_viscosity", 0.1 * self.time),
             (quantity::CLOSURE, 0.0),
         ];
-        named.map(|(name, value)| (name.to_owned(), value)).to_vec()
+        let energies = named.map(|(name, value)| (quantity::head(name, "J", 2), value));
+        [(quantity::FRONT.to_owned(), self.front())].into_iter().chain(energies).collect()
     }
 
     fn files(&mut self, _: &[Field]) -> Vec<(&'static str, Vtp)> {

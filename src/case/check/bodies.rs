@@ -1,6 +1,6 @@
-//! How blocks and cylinders fit the spacing, the tank and each other.
+//! How blocks and cylinders fit the spacing, the tank, each other, and what else takes space at the start.
 
-use crate::case::model::{Case, Shape, Tank, upright};
+use crate::case::model::{Case, Region, Shape, Tank, upright};
 use crate::case::reader::Reader;
 
 /// A body of soil or water, with its name in the file.
@@ -15,6 +15,10 @@ impl Placed {
     fn new(path: String, shape: Shape, gravity: &[f64]) -> Self {
         let (low, high) = shape.bounds(gravity);
         Self { path, shape, low, high }
+    }
+
+    fn of_box(path: String, low: &[f64], high: &[f64], gravity: &[f64]) -> Self {
+        Self::new(path, Shape::Block { low: low.to_vec(), high: high.to_vec() }, gravity)
     }
 
     fn extent(&self, k: usize) -> f64 {
@@ -34,18 +38,40 @@ impl Placed {
     }
 }
 
+/// Obstacles stand in nothing, and water that comes in begins beside water that is there.
+fn taken(reader: &Reader<'_>, case: &Case, soil: &[Placed], water: &[Placed], up: usize) {
+    let placed = |name: &'static str, n: usize, region: &Region| {
+        Placed::of_box(format!("{name}[{}]", n + 1), &region.low, &region.high, &case.gravity)
+    };
+    let inflows = case.water.iter().flat_map(|water| &water.inflows).enumerate();
+    let inflows: Vec<_> = inflows.map(|(n, inflow)| placed("water.inflow", n, &inflow.region)).collect();
+    let obstacles = case.tank.iter().flat_map(|tank| &tank.obstacles).enumerate();
+    let obstacles: Vec<_> = obstacles.map(|(n, region)| placed("tank.obstacle", n, region)).collect();
+    let apart = |one: &Placed, others: &[&[Placed]]| {
+        if let Some(other) = others.iter().copied().flatten().find(|other| overlap(one, other, up)) {
+            reader.error(&one.path, &format!("overlaps {}", other.path), "boxes that at most touch");
+        }
+    };
+    for (n, inflow) in inflows.iter().enumerate() {
+        apart(inflow, &[water, &inflows[..n]]);
+    }
+    for (n, obstacle) in obstacles.iter().enumerate() {
+        apart(obstacle, &[soil, water, &inflows, &obstacles[..n]]);
+    }
+}
+
 pub(super) fn bodies(reader: &Reader<'_>, case: &Case) {
     let up = upright(&case.gravity).0;
     let water = case.water.iter().flat_map(|water| &water.blocks).enumerate();
     let water: Vec<Placed> = water
         .map(|(n, block)| {
-            let shape = Shape::Block { low: block.low.clone(), high: block.high.clone() };
-            Placed::new(format!("water.block[{}]", n + 1), shape, &case.gravity)
+            Placed::of_box(format!("water.block[{}]", n + 1), &block.low, &block.high, &case.gravity)
         })
         .collect();
     let soil = case.soil.iter().flat_map(|soil| soil.named_bodies());
     let soil: Vec<Placed> =
         soil.map(|(path, body)| Placed::new(path, body.shape.clone(), &case.gravity)).collect();
+    taken(reader, case, &soil, &water, up);
     for placed in [&water, &soil] {
         for (n, body) in placed.iter().enumerate() {
             for k in 0..case.dimension {

@@ -2,7 +2,7 @@
 
 use super::water::highest;
 use super::{Context, FAR};
-use crate::case::bounds::{finite, from_to, positive};
+use crate::case::bounds::{from_to, positive};
 use crate::case::choice::{InitialStress, SurfaceKind};
 use crate::case::model::{Frictional, Shape, Soil, SoilBody, Stiffness, Strength};
 use crate::case::section::Section;
@@ -190,7 +190,7 @@ impl Context<'_, '_> {
             velocity: velocity.unwrap_or_else(|| vec![0.0; self.dimension]),
             initial_stress: section.choice("initial_stress").unwrap_or(rest),
             surface: section
-                .number("surface_m", finite("m"))
+                .number("surface_m", from_to(-2.0 * FAR, 2.0 * FAR, "m"))
                 .unwrap_or_else(|| highest(&low, &high, gravity)),
             held: section.flag("held").unwrap_or(false),
             lateral_ratio: section

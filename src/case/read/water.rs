@@ -1,7 +1,7 @@
 //! `[water]`.
 
 use super::{Context, FAR};
-use crate::case::bounds::{finite, from_to, positive};
+use crate::case::bounds::{from_to, positive};
 use crate::case::choice::{DiffusionKind, InitialPressure};
 use crate::case::model::{Block, Tank, Water};
 use crate::case::section::Section;
@@ -72,7 +72,7 @@ impl Context<'_, '_> {
         let weightless = gravity.iter().all(|g| *g == 0.0);
         let rest = if weightless { InitialPressure::Zero } else { InitialPressure::Hydrostatic };
         let initial_pressure = section.choice("initial_pressure").unwrap_or(rest);
-        let surface = section.number("surface_m", finite("m"));
+        let surface = section.number("surface_m", from_to(-2.0 * FAR, 2.0 * FAR, "m"));
         section.finish();
         Block {
             surface: surface.unwrap_or_else(|| highest(&low, &high, gravity)),

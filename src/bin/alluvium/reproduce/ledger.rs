@@ -17,16 +17,16 @@ impl Ledger {
     /// From `history.csv`.
     pub fn read(history: &Table) -> Result<Self, TableError> {
         let first = [quantity::POTENTIAL, quantity::KINETIC];
-        let columns = || history.columns().iter().map(String::as_str);
-        let stored = columns().filter(|name| name.ends_with("_energy [J]") && !first.contains(name));
+        let columns = || history.columns().iter().map(|head| quantity::name(head));
+        let stored = columns().filter(|name| name.ends_with("_energy") && !first.contains(name));
         let taken = columns().filter(|name| name.starts_with(quantity::TAKEN));
         let energies = first.into_iter().chain(stored).chain(taken);
-        let energies = energies.map(|name| Ok((readable(name), history.column(name)?)));
-        let whole = history.column(quantity::POTENTIAL)?.first().copied().unwrap_or(1.0);
+        let energies = energies.map(|name| Ok((readable(name), quantity::column(history, name)?)));
+        let whole = quantity::column(history, quantity::POTENTIAL)?.first().copied().unwrap_or(1.0);
         Ok(Self {
             time: history.column("time [s]")?,
             energies: energies.collect::<Result<_, _>>()?,
-            closure: history.column(quantity::CLOSURE)?.into_iter().map(|x| x / whole).collect(),
+            closure: quantity::column(history, quantity::CLOSURE)?.into_iter().map(|x| x / whole).collect(),
         })
     }
 
@@ -62,8 +62,7 @@ impl Ledger {
     }
 }
 
-/// `taken_by_artificial_viscosity [J]` as words for a legend.
-fn readable(column: &str) -> String {
-    let name = column.split(" [").next().unwrap_or(column);
+/// `taken_by_artificial_viscosity` as words for a legend.
+fn readable(name: &str) -> String {
     name.replace(quantity::TAKEN, "taken by ").replace('_', " ").replace(" energy", "")
 }

@@ -2,8 +2,11 @@
 
 use super::*;
 use crate::arguments::Existing;
+use crate::simulated::Simulated;
 use crate::stand_in::{StandIn, case, folder};
+use alluvium::kernel::WendlandC2;
 use alluvium::output::Table;
+use alluvium::time::LeapFrog;
 
 fn options(out: PathBuf, existing: Existing) -> OutputOptions {
     OutputOptions { out: Some(out), existing, threads: Some(1) }
@@ -50,6 +53,43 @@ fn a_failing_run_leaves_its_last_state() {
     assert!(path.join("data/water_0002.vtp").exists(), "two dumps were due, the third is the failure");
     let manifest = std::fs::read_to_string(path.join("manifest.json")).unwrap();
     assert!(manifest.contains("the run stopped: particle 7"));
+    std::fs::remove_dir_all(&path).unwrap();
+}
+
+/// No case file makes a NaN, so it is put into a simulation that has run well, which the program then goes on with.
+#[test]
+fn a_velocity_that_is_not_a_number_ends_in_a_dump_of_it() {
+    let path = folder("nan");
+    let (case, warnings) = case();
+    let mut culprit = None;
+    let mut mean_spirited = |case: &Case| {
+        let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).unwrap();
+        let mut simulation = case.simulation(kernel, LeapFrog::new()).unwrap();
+        for _ in 0..5 {
+            simulation.step().unwrap();
+        }
+        let water = simulation.mixture_mut().water_mut();
+        culprit = Some(water.ids()[17]);
+        water.velocities_mut()[17][1] = f64::NAN;
+        Ok(Box::new(Simulated::new(simulation, case)) as _)
+    };
+    let options = options(path.clone(), Existing::Error);
+    let ended = run_with(&mut mean_spirited, case, &warnings, &options, &mut |_, _| {});
+    let Err(failure) = ended else { panic!("it went on") };
+    assert_eq!(failure.code(), 4);
+    let message = failure.to_string();
+    let particle = format!("velocity of water particle {} at ", culprit.unwrap());
+    for part in [&*particle, "is not finite", "term: state before the evaluation", "t = "] {
+        assert!(message.contains(part), "`{part}` is missing in: {message}");
+    }
+    let manifest = std::fs::read_to_string(path.join("manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    assert_eq!(manifest["steps"], 5, "none was taken with it");
+    assert!(std::fs::read_to_string(path.join("data/water.pvd")).unwrap().contains("water_0001.vtp"));
+    let dump = std::fs::read(path.join("data/water_0001.vtp")).unwrap();
+    assert!(dump.ends_with(b"</VTKFile>\n"));
+    let nan = f64::NAN.to_le_bytes();
+    assert_eq!(dump.windows(8).filter(|bytes| *bytes == nan).count(), 1, "the one velocity is in the dump");
     std::fs::remove_dir_all(&path).unwrap();
 }
 

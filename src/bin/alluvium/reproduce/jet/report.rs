@@ -66,10 +66,10 @@ pub fn bars(watch: &Watch, history: &Table, ledger: &Ledger) -> String {
 }
 
 fn energies(table: &mut Bars, history: &Table, ledger: &Ledger) {
-    let last = |name: &str| history.column(name).ok().and_then(|column| column.last().copied());
-    let came = last(&format!("{}inflow [J]", quantity::TAKEN)).map(|taken| -taken);
+    let last = |name: &str| quantity::column(history, name).ok().and_then(|column| column.last().copied());
+    let came = last(quantity::INFLOW).map(|taken| -taken);
     if let (Some(kinetic), Some(came)) = (last(quantity::KINETIC), came) {
-        let found = format!("{kinetic:.0} J of {came:.0} J");
+        let found = format!("{kinetic:.0} of {came:.0} J/m");
         table.add("kinetic energy at the end, of what the jet brought", found, "less", Some(kinetic < came));
         let closure = last(quantity::CLOSURE).unwrap_or(f64::NAN) / came;
         table.add(

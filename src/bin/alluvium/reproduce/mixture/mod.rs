@@ -133,10 +133,10 @@ impl Flow<'_> {
         let (strain, surface) =
             (scene.plastic_strain(), scene.surfaces(&format!("{}: the surface of the soil", self.name)));
         let mut results = Results::of(watched.finished)?;
-        let column = results.history.column(&format!("{}inflow [J]", quantity::TAKEN));
+        let column = quantity::column(&results.history, quantity::INFLOW);
         let came = column.ok().and_then(|column| column.last().copied()).filter(|came| *came != 0.0);
         if let Some(came) = came {
-            bars.add("energy the inflow brought", format!("{:.2} J", -came), "none", None);
+            bars.add("energy the inflow brought", format!("{:.2} J/m", -came), "none", None);
         }
         results.picture("flow", &flow)?;
         results.picture("soil_fraction", &fraction)?;
