@@ -33,7 +33,7 @@ fn failed(name: &str, case: &str) -> String {
     let manifest = std::fs::read_to_string(out.join("manifest.json")).unwrap();
     let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
     assert_eq!(manifest["steps"], 0, "the step that failed is none");
-    let message = shown.lines().last().unwrap().strip_prefix("error: ").unwrap().to_owned();
+    let message = shown.lines().last().unwrap().to_owned();
     assert_eq!(manifest["outcome"], message.as_str());
     // The start and the failure.
     let collection = std::fs::read_to_string(out.join("data/water.pvd")).unwrap();
