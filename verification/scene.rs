@@ -42,12 +42,13 @@ impl Tank<2> {
 }
 
 impl Tank<3> {
-    /// A slab of the paper's dam break, `depth` \[m\] deep, endless across.
+    /// A slab of the paper's dam break, `depth` \[m\] deep, endless across. Its walls are high enough until the
+    /// water is at the far one.
     pub fn dam_break_slab(spacing: f64, depth: f64, preset: Preset) -> Self {
         let flat = Tank::dam_break(spacing, preset);
         Self {
             water: [flat.water[0], flat.water[1], depth],
-            tank: [flat.tank[0], flat.tank[1], depth],
+            tank: [flat.tank[0], 2.0 * flat.water[1], depth],
             spacing,
             sound_speed: flat.sound_speed,
             viscosity: flat.viscosity,
