@@ -130,6 +130,7 @@ fn slab() -> Study {
         compare(&slab_record(COARSE, 6.0 * COARSE, conditions), &flat)
     })
     .source("a plane flow stays plane")
+    .level(Level::Full)
     .expect(Expected::Bound { largest: 0.01 })
     .mutant(LIGHT)
 }
