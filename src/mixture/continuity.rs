@@ -86,20 +86,22 @@ impl<T: Real, const D: usize> PairDiffusion<T, D> {
         Self { uniform, by_density, slope, bend }
     }
 
-    /// `ψ_ij·∇W` of (54) over `2ρ̃₀`, per volume of `j`: since `ψ = 2(ρ_i − ρ_j) x/r²` and `∇W = F x`,
-    /// that is `(ρ_i − ρ_j)/ρ̃₀ · F`, less the part that gravity explains.
+    /// Whether a pair has a hydrostatic part at all.
+    pub(crate) fn is_hydrostatic(&self) -> bool {
+        self.slope != Vector::zero()
+    }
+
+    /// The part of `ε_i − ε_j` that gravity explains, from `ε_i + ε_j`.
     #[inline(always)]
-    pub(crate) fn rate<N: Num<Scalar = T>>(
-        &self,
-        own: N,
-        other: N,
-        x: Vector<N, D>,
-        slope: N,
-        density_sum: N,
-    ) -> N {
+    pub(crate) fn hydrostatic<N: Num<Scalar = T>>(&self, sum: N, x: Vector<N, D>) -> N {
+        Vector::spread(&self.slope).dot(x) * (N::lit(1.0) + N::splat(self.bend) * sum)
+    }
+
+    /// `ψ_ij·∇W` of (54) over `2ρ̃₀`, per volume of `j`: since `ψ = 2(ρ_i − ρ_j) x/r²` and `∇W = F x`,
+    /// that is `(ρ_i − ρ_j)/ρ̃₀ · F`, and `excess` is `(ρ_i − ρ_j)/ρ̃₀`, less what gravity explains.
+    #[inline(always)]
+    pub(crate) fn rate<N: Num<Scalar = T>>(&self, excess: N, slope: N, density_sum: N) -> N {
         let weight = N::splat(self.uniform) + N::splat(self.by_density) * density_sum;
-        let hydrostatic =
-            Vector::spread(&self.slope).dot(x) * (N::lit(1.0) + N::splat(self.bend) * (own + other));
-        weight * slope * (own - other - hydrostatic) // (54)
+        weight * slope * excess // (54)
     }
 }

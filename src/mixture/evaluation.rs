@@ -91,8 +91,14 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     fn sum_own_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
         self.pack_own_pairs::<STRESS, K>();
-        let formula = OwnPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion };
-        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
+        let (records, sums) = (&self.scratch.records, &mut self.scratch.sums);
+        if diffusion.is_hydrostatic() || self.phase.has_gliding_walls() {
+            let formula = OwnPairs::<T, K, D, STRESS, false> { kernel, viscosity, diffusion };
+            self.neighbourhood.sum(&formula, records, sums);
+        } else {
+            let formula = OwnPairs::<T, K, D, STRESS, true> { kernel, viscosity, diffusion };
+            self.neighbourhood.sum(&formula, records, sums);
+        }
     }
 
     fn sum_shared_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
@@ -126,7 +132,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         let (o, one) = (T::ZERO, T::ONE);
         // Density one keeps the division of (59) finite; volume zero takes the dummy out.
         let dummy: &[T] = if D == 2 { &[o, o, o, one] } else { &[o, o, o, o, one] };
-        self.neighbourhood.pack::<OwnPairs<T, K, D, STRESS>>(
+        self.neighbourhood.pack::<OwnPairs<T, K, D, STRESS, false>>(
             &phase.position,
             &mut self.scratch.records,
             dummy,

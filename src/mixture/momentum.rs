@@ -56,11 +56,17 @@ impl<T: Real> Viscosity<T> {
     }
 }
 
-/// `v_ij·x_ij` while the two approach, else 0 (59); 0 too if `grip` is negative.
+/// `v_ij·x_ij` while the two approach, else 0 (59).
 #[inline(always)]
-pub(crate) fn approach<N: Num>(v_dot_x: N, grip: N) -> N {
+pub(crate) fn approach<N: Num>(v_dot_x: N) -> N {
+    v_dot_x.min(N::lit(0.0))
+}
+
+/// The same, but 0 too if `grip` is negative.
+#[inline(always)]
+pub(crate) fn approach_with<N: Num>(v_dot_x: N, grip: N) -> N {
     // Any grip times this exceeds any v·x: the sign alone decides.
-    v_dot_x.max(N::lit(-1e20) * grip).min(N::lit(0.0))
+    approach(v_dot_x.max(N::lit(-1e20) * grip))
 }
 
 /// `p_i φ_i/ρ_i² + p_j φ_j/ρ_j² + Π_ij`: the isotropic part of (55), (58).

@@ -7,8 +7,9 @@ use crate::real::{Num, Real};
 use crate::space::Vector;
 use crate::summation::{MOST, PairFormula, Record, add_vector, number, symmetric, vector};
 
-/// The formula of the pass. `STRESS` adds the deviatoric part.
-pub(crate) struct OwnPairs<T, K, const D: usize, const STRESS: bool> {
+/// The formula of the pass. `STRESS` adds the deviatoric part. `PLAIN` leaves out what would change no bit,
+/// since no wall glides and diffusion knows no hydrostatic slope.
+pub(crate) struct OwnPairs<T, K, const D: usize, const STRESS: bool, const PLAIN: bool> {
     pub(crate) kernel: K,
     pub(crate) viscosity: Viscosity<T>,
     pub(crate) diffusion: PairDiffusion<T, D>,
@@ -52,8 +53,8 @@ pub(crate) const fn record_length(dimension: usize, stress: bool) -> usize {
     2 * dimension + 4 + if stress { dimension * (dimension + 1) / 2 } else { 0 }
 }
 
-impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T>
-    for OwnPairs<T, K, D, STRESS>
+impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool, const PLAIN: bool> PairFormula<T>
+    for OwnPairs<T, K, D, STRESS, PLAIN>
 {
     const BLOCKS: usize = record_length(D, STRESS).div_ceil(4);
     const SUMS: usize = D + sum::COUNT;
@@ -70,7 +71,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         Own {
             x: vector(record, 0),
             v: vector(record, D),
-            volume: magnitude(number(record, 2 * D)),
+            volume: if PLAIN { number(record, 2 * D) } else { magnitude(number(record, 2 * D)) },
             grip: number(record, 2 * D),
             density: number(record, 2 * D + 1),
             pressure: number(record, 2 * D + 2),
@@ -86,7 +87,11 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         let slope = self.kernel.slope(r2); // ∇W = F x (47)
         let mass_slope = j.density * j.volume * slope;
         let density_sum = i.density + j.density;
-        let approach = momentum::approach(v_dot_x, i.grip.min(j.grip));
+        let approach = if PLAIN {
+            momentum::approach(v_dot_x)
+        } else {
+            momentum::approach_with(v_dot_x, i.grip.min(j.grip))
+        };
         let artificial = self.viscosity.pressure(approach, r2, density_sum); // (59)
         let pressure = momentum::isotropic(i.pressure, j.pressure, artificial);
         let mut acceleration = x * -(pressure * mass_slope); // (58), first sum
@@ -98,8 +103,11 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         add_vector(sums, 0, acceleration);
         let compression = continuity::compression(mass_slope, v_dot_x);
         sums[D + sum::COMPRESSION] += compression; // (52), first sum
-        sums[D + sum::DIFFUSION] +=
-            j.volume * self.diffusion.rate(i.diffusing, j.diffusing, x, slope, density_sum); // (52), second sum
+        let mut excess = i.diffusing - j.diffusing;
+        if !PLAIN {
+            excess -= self.diffusion.hydrostatic(i.diffusing + j.diffusing, x);
+        }
+        sums[D + sum::DIFFUSION] += j.volume * self.diffusion.rate(excess, slope, density_sum); // (52), second sum
         sums[D + sum::VISCOUS_LOSS] += artificial * compression;
         sums[D + sum::CLOSEST] = sums[D + sum::CLOSEST].min(r2);
     }

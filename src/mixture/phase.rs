@@ -3,7 +3,7 @@
 use super::fields::{EvolvingFraction, Fields, Rates};
 use super::hourglass::ElasticHold;
 use super::opening::Inflow;
-use super::wall::{Slip, Wall, WallKind};
+use super::wall::{Wall, WallKind};
 use crate::material::{Material, Memory};
 use crate::real::{Num, Real};
 use crate::space::{SymTensor, Vector};
@@ -117,11 +117,12 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
     /// Whether particle `i` is of a wall that does not hold what moves along it.
     #[inline(always)]
     pub(crate) fn is_gliding(&self, i: usize) -> bool {
-        i < self.wall_particles
-            && matches!(
-                self.wall_kind(i),
-                WallKind::Extrapolated { slip: Slip::FreeSlip | Slip::Friction(_), .. }
-            )
+        i < self.wall_particles && self.wall_kind(i).is_gliding()
+    }
+
+    /// Whether any wall is such.
+    pub(crate) fn has_gliding_walls(&self) -> bool {
+        self.walls.iter().any(|wall| wall.kind().is_gliding())
     }
 
     /// Bytes held.

@@ -40,7 +40,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
 
     #[inline(always)]
     fn read<N: Num<Scalar = T>>(record: &Record<N>) -> Own<N, D> {
-        <OwnPairs<T, K, D, STRESS> as PairFormula<T>>::read(record)
+        <OwnPairs<T, K, D, STRESS, false> as PairFormula<T>>::read(record)
     }
 
     #[inline(always)]
@@ -50,7 +50,7 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
         let slope = self.kernel.slope(r2);
         let mass_slope = b.density * b.volume * slope;
         let density_sum = a.density + b.density;
-        let approach = momentum::approach(v_dot_x, a.grip.min(b.grip));
+        let approach = momentum::approach_with(v_dot_x, a.grip.min(b.grip));
         let artificial = self.viscosity.pressure(approach, r2, density_sum);
         add_vector(sums, 0, x * -(mass_slope * artificial));
         if STRESS {
@@ -59,8 +59,9 @@ impl<T: Real, K: Kernel<T, D>, const D: usize, const STRESS: bool> PairFormula<T
             }
         }
         sums[D + sum::COMPRESSION] += b.volume * slope * v_dot_x;
-        sums[D + sum::DIFFUSION] +=
-            b.volume * self.diffusion.rate(a.diffusing, b.diffusing, x, slope, density_sum);
+        let hydrostatic = self.diffusion.hydrostatic(a.diffusing + b.diffusing, x);
+        let excess = a.diffusing - b.diffusing - hydrostatic;
+        sums[D + sum::DIFFUSION] += b.volume * self.diffusion.rate(excess, slope, density_sum);
         sums[D + sum::VISCOUS_LOSS] += artificial * mass_slope * v_dot_x;
         sums[D + sum::CLOSEST] = sums[D + sum::CLOSEST].min(r2);
         add_vector(sums, D + sum::COUNT, x * (b.volume * slope * (a.pressure + b.pressure)));

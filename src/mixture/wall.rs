@@ -39,6 +39,13 @@ pub enum WallKind {
     Given,
 }
 
+impl WallKind {
+    /// Whether it does not hold what moves along it.
+    pub(super) fn is_gliding(self) -> bool {
+        matches!(self, Self::Extrapolated { slip: Slip::FreeSlip | Slip::Friction(_), .. })
+    }
+}
+
 type Motion<T, const D: usize> = Arc<dyn Fn(&Vector<T, D>, f64) -> Vector<T, D> + Send + Sync>;
 
 /// A wall: its kind and, if it moves, how.
