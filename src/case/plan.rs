@@ -129,14 +129,8 @@ impl Case {
         let h = self.smoothing_length();
         let moment = self.second_moment().unwrap_or(0.0);
         let stiffness = step / stopping_time;
-        let (scheme, why) = if mixing.projected_drag && mixing.drag_scheme == SchemeChoice::Automatic {
-            (
-                DragScheme::Explicit,
-                "automatic: drag along the line between particles is not solved".to_owned(),
-            )
-        } else {
-            choose(mixing.drag_scheme, stiffness, matches!(self.time.step, StepSize::Fixed(_)))
-        };
+        let (scheme, why) =
+            choose(mixing.drag_scheme, stiffness, matches!(self.time.step, StepSize::Fixed(_)));
         Some(DragPlan {
             scheme,
             why,

@@ -101,9 +101,9 @@ impl<T: Real, const D: usize> Across<T, D> {
         self.neighbourhood.sum(formula, &self.records, sums);
     }
 
-    /// Calls `visit(a, r²)` for the water particles `a` near soil particle `i`.
-    pub(super) fn for_each_water_near(&self, i: usize, mut visit: impl FnMut(usize, T)) {
-        self.neighbourhood.for_each_neighbour(&self.positions, i, |j, _, r2| visit(j - self.soil, r2));
+    /// Calls `visit(a, xᵢ − x_a, r²)` for the water particles `a` near soil particle `i`.
+    pub(super) fn for_each_water_near(&self, i: usize, mut visit: impl FnMut(usize, Vector<T, D>, T)) {
+        self.neighbourhood.for_each_neighbour(&self.positions, i, |j, x, r2| visit(j - self.soil, x, r2));
     }
 
     /// S_i = Σ V_a W \[-\]: how much of the surroundings of soil particle `i` water fills.
@@ -114,7 +114,7 @@ impl<T: Real, const D: usize> Across<T, D> {
         i: usize,
     ) -> T {
         let mut filled = T::ZERO;
-        self.for_each_water_near(i, |a, r2| filled += water.volume(a) * kernel.value(r2));
+        self.for_each_water_near(i, |a, _, r2| filled += water.volume(a) * kernel.value(r2));
         filled
     }
 

@@ -178,7 +178,7 @@ impl<T: Real> Drag<T> {
         for (i, &rate) in soil.iter().enumerate() {
             // Most particles cannot be of the fastest pair, whoever is near them.
             if rate > T::ZERO && rate + most > fastest {
-                across.for_each_water_near(i, |a, _| fastest = fastest.max(rate + of_water[a]));
+                across.for_each_water_near(i, |a, _, _| fastest = fastest.max(rate + of_water[a]));
             }
         }
         self.fastest = fastest * self.steepening(water) * self.haste();

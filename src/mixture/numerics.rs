@@ -80,8 +80,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self
     }
 
-    /// Drag D (v·r̂) r̂ along the line between the particles of a pair, for explicit drag: angular momentum is exact
-    /// too. Not by default: particles at the same place do not drag each other then, which on coincident lattices
+    /// Drag D (v·r̂) r̂ along the line between the particles of a pair: angular momentum is exact too, to the
+    /// tolerance of the solution where drag is solved over the step. Not by default: particles at the same place do not drag each other then, which on coincident lattices
     /// at h = 1.5 Δx is a quarter of all drag.
     pub fn with_projected_drag(mut self) -> Self {
         self.coupling.drag.is_projected = true;

@@ -9,9 +9,14 @@ use crate::summation::{MOST, PairFormula, Record, add_vector, number, vector};
 /// soil. D makes up for the directions that are left out.
 pub(super) struct ProjectedDrag<T, K, const D: usize> {
     kernel: K,
-    /// So small against h² that it only keeps pairs without distance, which have no line, from being divided by
-    /// nothing.
     nothing: T,
+}
+
+/// What is added to r² \[m²\]: so small against h² that it only keeps pairs without distance, which have no line, from
+/// being divided by nothing.
+pub(super) fn nothing<T: Real, K: Kernel<T, D>, const D: usize>(kernel: &K) -> T {
+    let h = kernel.smoothing_length();
+    T::of(1e-6) * h * h
 }
 
 #[derive(Clone, Copy)]
@@ -53,7 +58,6 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for ProjectedDrag<
 
 impl<T: Real, K: Kernel<T, D>, const D: usize> ProjectedDrag<T, K, D> {
     pub(super) fn new(kernel: &K) -> Self {
-        let h = kernel.smoothing_length();
-        Self { kernel: kernel.clone(), nothing: T::of(1e-6) * h * h }
+        Self { kernel: kernel.clone(), nothing: nothing(kernel) }
     }
 }

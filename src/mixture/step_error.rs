@@ -88,8 +88,6 @@ pub enum StepError {
         /// Time \[s\].
         time: f64,
     },
-    /// Drag along the line between particles was to be solved over the step.
-    ProjectedDragUnsolved,
     /// Drag was to be reconstructed between particles and to act along the line between them.
     ProjectedDragReconstructed,
     /// The iteration for the slips that implicit drag depends on did not converge.
@@ -142,9 +140,6 @@ impl fmt::Display for StepError {
                 f,
                 "time step {step:.3e} s at t = {time:.6e} s is too long for explicit drag by {law}: it allows at most {allowed:.3e} s; implicit drag (feature `implicit`) allows any"
             ),
-            Self::ProjectedDragUnsolved => {
-                f.write_str("implicit drag cannot be projected: take DragScheme::Explicit, or plain drag")
-            }
             Self::ProjectedDragReconstructed => f.write_str(
                 "reconstructed drag cannot be projected: take with_reconstructed_drag or with_projected_drag, not both",
             ),

@@ -5,7 +5,7 @@ use crate::case_soil::{Mistake, each_is_named, read};
 use crate::fingerprint;
 use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw};
 use alluvium::kernel::WendlandC2;
-use alluvium::mixture::{CouplingForm, DragScheme, Mixture, Slip, VolumeFraction, WallKind};
+use alluvium::mixture::{CouplingForm, Mixture, Slip, VolumeFraction, WallKind};
 use alluvium::simulation::Simulation;
 use alluvium::time::{Evolve, LeapFrog, StepSize};
 
@@ -88,7 +88,6 @@ pub const MISTAKES: &[Mistake] = &[
     Mistake { from: "high_m = [1e6, -0.2]", to: "high_m = [1e6, -1e7]", key: "outlet[1].high_m[2]", value: "-1e7", what: "is not above low_m", allowed: "above -1000000.0" },
     Mistake { from: "open = [\"+y\"]", to: "open = [\"+y\"]\nwater_slip = \"friction\"", key: "tank.water_slip", value: "\"friction\"", what: "is for soil", allowed: "\"free-slip\"" },
     Mistake { from: "high_m = [0.45, 0.18]\nopen", to: "high_m = [0.45, 0.18]\nobstacle = [{ low_m = [0.1, 0.1], high_m = [0.5, 0.18] }]\nopen", key: "tank.obstacle[1].high_m[1]", value: "0.5", what: "is outside the tank", allowed: "0.45" },
-    Mistake { from: "[mixture]\n", to: "[mixture]\nprojected_drag = true\ndrag_scheme = \"backward-euler\"\n", key: "mixture.projected_drag", value: "true", what: "contradicts drag_scheme = \"backward-euler\"", allowed: "\"explicit\"" },
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nprojected_drag = true\n", key: "mixture.projected_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
     Mistake { from: "hydraulic_conductivity_m_per_s = 5e-4\n", to: "drag = \"none\"\nnormalised_drag = true\n", key: "mixture.normalised_drag", value: "true", what: "contradicts drag = \"none\"", allowed: "another drag" },
     Mistake { from: "[mixture]\n", to: "[mixture]\nprojected_drag = true\nreconstructed_drag = true\n", key: "mixture.reconstructed_drag", value: "true", what: "contradicts projected_drag", allowed: "projected_drag = false" },
@@ -146,11 +145,6 @@ fn a_choice_in_the_case_is_that_of_the_library() {
         assert_eq!(found, bits(chosen(mixture(JET))), "{key}");
         assert_ne!(found, plain, "{key}");
     }
-    let projected =
-        JET.replacen("[mixture]", "[mixture]\nprojected_drag = true\ndrag_scheme = \"automatic\"", 1);
-    let clay = read(&projected.replace("5e-4", "1e-8")).0.drag_plan().unwrap();
-    assert_eq!(clay.scheme, DragScheme::Explicit);
-    assert!(clay.why.contains("is not solved"), "{}", clay.why);
 }
 
 #[test]

@@ -92,10 +92,15 @@ fn drag_rate<T: Real>(mixture: &Both<T>, conductivity: f64) -> f64 {
     each(soil.density(0)) + each(water.density(0))
 }
 
+/// From water particle `a` to soil particle `i`, over the nearest image.
+fn nearest<T: Real>(mixture: &Both<T>, i: usize, a: usize) -> Vector<f64, 2> {
+    let away = mixture.soil().positions()[i] - mixture.water().positions()[a];
+    Vector(away.as_f64().map(|x| x - SIDE * (x / SIDE).round()))
+}
+
 /// Kernel between soil particle `i` and water particle `a`, over the nearest image.
 fn weight<T: Real>(mixture: &Both<T>, i: usize, a: usize) -> f64 {
-    let away = mixture.soil().positions()[i] - mixture.water().positions()[a];
-    let away = Vector(away.as_f64().map(|x| x - SIDE * (x / SIDE).round()));
+    let away = nearest(mixture, i, a);
     if away.norm2() < 4.0 * H * H { mixture.kernel().value(T::of(away.norm2())).as_f64() } else { 0.0 }
 }
 

@@ -1,6 +1,5 @@
 //! How soil and water share their space, and whether openings and obstacles fit.
 
-use crate::case::choice::SchemeChoice;
 use crate::case::model::{Case, Drag, Inflow, Mixing, Region, Tank};
 use crate::case::reader::Reader;
 
@@ -49,11 +48,6 @@ fn drag(reader: &Reader<'_>, mixing: &Mixing) {
     if mixing.projected_drag && mixing.reconstructed_drag {
         let why = "contradicts projected_drag: drag is one or the other";
         reader.error("mixture.reconstructed_drag", why, "false, or projected_drag = false");
-    }
-    let is_solved = matches!(mixing.drag_scheme, SchemeChoice::BackwardEuler | SchemeChoice::SecondOrder);
-    if mixing.projected_drag && is_solved {
-        let why = format!("contradicts drag_scheme = \"{}\", which cannot solve it", mixing.drag_scheme);
-        reader.error("mixture.projected_drag", &why, "false, or drag_scheme = \"explicit\", \"automatic\"");
     }
 }
 

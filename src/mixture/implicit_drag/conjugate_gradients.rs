@@ -1,5 +1,6 @@
 //! Conjugate gradients on the Schur complement, with a preconditioner: its diagonal, or a factor.
 
+use super::bond::Bond;
 use super::system::{System, Unsolved};
 use crate::space::Vector;
 
@@ -12,21 +13,10 @@ pub(super) trait Precondition<const D: usize> {
     fn apply(&self, residual: &[Vector<f64, D>], out: &mut [Vector<f64, D>]);
 }
 
-/// The inverse of a diagonal.
-pub(super) struct Diagonal<'a>(pub(super) &'a [f64]);
-
-impl<const D: usize> Precondition<D> for Diagonal<'_> {
-    fn apply(&self, residual: &[Vector<f64, D>], out: &mut [Vector<f64, D>]) {
-        for ((z, r), d) in out.iter_mut().zip(residual).zip(self.0) {
-            *z = *r * (1.0 / d);
-        }
-    }
-}
-
 /// Solves `S x = sides` from the `x` given, until ‖r‖ is at most `allowed`. With an exact inverse as preconditioner
 /// that is a direct solution and what refines it.
-pub(super) fn solve<const D: usize>(
-    system: &System<'_, D>,
+pub(super) fn solve<E: Bond<D>, const D: usize>(
+    system: &System<'_, E, D>,
     precondition: &dyn Precondition<D>,
     sides: &[Vector<f64, D>],
     x: &mut [Vector<f64, D>],
@@ -34,7 +24,7 @@ pub(super) fn solve<const D: usize>(
 ) -> Result<(), Unsolved> {
     let mut residual = sides.to_vec();
     let mut applied = vec![Vector::zero(); x.len()];
-    system.apply(x, &mut applied);
+    system.complement(x, &mut applied);
     for (r, s) in residual.iter_mut().zip(&applied) {
         *r -= *s;
     }
@@ -55,7 +45,7 @@ pub(super) fn solve<const D: usize>(
         for (p, z) in direction.iter_mut().zip(&steered) {
             *p = *z + *p * kept;
         }
-        let far = now / system.apply(&direction, &mut applied);
+        let far = now / system.complement(&direction, &mut applied);
         for ((x, r), (p, s)) in x.iter_mut().zip(&mut residual).zip(direction.iter().zip(&applied)) {
             *x += *p * far;
             *r -= *s * far;

@@ -8,6 +8,7 @@
 //! What the integrator gets is the *effective* acceleration `(v' − v)/Δt`, so that its own predictions hold
 //! drag as well.
 
+mod bond;
 mod cholesky;
 mod conjugate_gradients;
 mod pairs;
@@ -25,6 +26,7 @@ use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
 use crate::time::Moment;
+use bond::{Along, Bond};
 use cholesky::Pattern;
 use pairs::Pairs;
 use scheme::Stage;
@@ -87,13 +89,14 @@ impl<T: Real, const D: usize> ImplicitDrag<T, D> {
     }
 
     /// The pattern to factor the systems of a step in, if that is the way to solve them.
-    fn pattern(&mut self, across: &Across<T, D>, [soil, water]: [usize; 2]) -> Option<&Pattern> {
+    fn pattern<E: Bond<D>>(&mut self, across: &Across<T, D>, [soil, water]: [usize; 2]) -> Option<&Pattern> {
         if self.solver == DragSolver::Iterative {
             return None;
         }
         let rebuilds = across.neighbourhood.rebuilds();
         if self.pattern.as_ref().is_none_or(|pattern| pattern.rebuilds != rebuilds) {
-            self.pattern = Pattern::new(&Pairs::listed(across, soil, water), soil, rebuilds);
+            let listed = pairs::listed(across, soil, water);
+            self.pattern = Pattern::new(&listed, soil, E::UNKNOWNS, rebuilds);
         }
         self.pattern.as_ref()
     }
@@ -124,9 +127,6 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         if !self.implicit_drag.is_on() || !self.is_shared() {
             return Ok(());
         }
-        if self.coupling.drag.is_projected {
-            return Err(StepError::ProjectedDragUnsolved);
-        }
         let (soil, water) = (&self.soil.phase, &self.water.phase);
         let sorted = [self.soil.neighbourhood.rebuilds(), self.water.neighbourhood.rebuilds()];
         self.coupling.across.find_neighbours(&soil.position, &water.position, sorted);
@@ -149,8 +149,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             step: dt.as_f64(),
         };
         let count = soil.len();
-        let effective =
-            self.effective(stage, &velocity, &begin).map_err(|unsolved| self.unsolved(unsolved))?;
+        let effective = if self.coupling.drag.is_projected {
+            self.effective::<Along<D>>(stage, &velocity, &begin)
+        } else {
+            self.effective::<f64>(stage, &velocity, &begin)
+        };
+        let effective = effective.map_err(|unsolved| self.unsolved(unsolved))?;
         let (of_soil, of_water) = effective.split_at(count);
         put(&mut self.soil.phase, of_soil);
         put(&mut self.water.phase, of_water);
@@ -159,7 +163,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
 
     /// Effective accelerations of soil and water over the step of a stage, from these velocities; the first system
     /// begins at `begin`.
-    fn effective(
+    fn effective<E: Bond<D>>(
         &mut self,
         stage: Stage<'_, D>,
         velocity: &[Vector<f64, D>],
@@ -174,16 +178,16 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         let (across, kernel) = (&self.coupling.across, &self.setting.kernel);
         let scheme = self.implicit_drag.scheme;
         if law.knows_slip() {
-            let seen = Pairs::of((across, drag), kernel, soil, water, |_| T::ONE);
+            let seen = Pairs::<E>::of((across, drag), kernel, soil, water, |_| T::ONE);
             let coefficient = |a: usize, slip: f64| coefficient(a, slip).as_f64();
-            let pattern = self.implicit_drag.pattern(across, [soil.len(), water.len()]);
+            let pattern = self.implicit_drag.pattern::<E>(across, [soil.len(), water.len()]);
             let sweeps = Sweeps { seen: &seen, coefficient: &coefficient, pattern };
             stage.through(scheme, velocity, begin, |stage, velocity, begin| {
                 sweeps.solve(stage, velocity, begin)
             })
         } else {
-            let pairs = Pairs::of((across, drag), kernel, soil, water, |a| coefficient(a, 0.0));
-            let pattern = self.implicit_drag.pattern(across, [soil.len(), water.len()]);
+            let pairs = Pairs::<E>::of((across, drag), kernel, soil, water, |a| coefficient(a, 0.0));
+            let pattern = self.implicit_drag.pattern::<E>(across, [soil.len(), water.len()]);
             let mut system = None;
             stage.through(scheme, velocity, begin, |stage, velocity, begin| {
                 let system = system.get_or_insert_with(|| System::new(&pairs, stage, pattern));

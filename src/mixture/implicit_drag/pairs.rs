@@ -1,27 +1,29 @@
 //! Who drags whom, and how hard: the pair coefficients as a sparse matrix.
 
+use super::bond::{Block, Bond};
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::mixture::Phase;
 use crate::mixture::across::Across;
 use crate::mixture::drag::Drag;
+use crate::mixture::projected_drag::nothing;
 use crate::parallel;
 use crate::real::Real;
 use crate::space::Vector;
 
 /// Rows of a sparse matrix.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Rows {
+pub(super) struct Rows<E> {
     /// Where each row ends; it begins where the one before ends.
     ends: Vec<usize>,
     columns: Vec<u32>,
-    values: Vec<f64>,
+    values: Vec<E>,
 }
 
-impl Rows {
+impl<E: Copy + Default> Rows<E> {
     /// Columns and values of a row.
     #[inline(always)]
-    pub(super) fn of(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
+    pub(super) fn of(&self, row: usize) -> impl Iterator<Item = (usize, E)> {
         let start = if row > 0 { self.ends[row - 1] } else { 0 };
         let entries = start..self.ends[row];
         self.columns[entries.clone()].iter().map(|&j| j as usize).zip(self.values[entries].iter().copied())
@@ -33,11 +35,18 @@ impl Rows {
     }
 
     /// The sum of a row.
-    pub(super) fn sum(&self, row: usize) -> f64 {
-        self.of(row).map(|(_, value)| value).sum()
+    pub(super) fn sum<const D: usize>(&self, row: usize) -> E::Block
+    where
+        E: Bond<D>,
+    {
+        let mut sum = E::Block::zero();
+        for (_, bond) in self.of(row) {
+            sum += bond.block();
+        }
+        sum
     }
 
-    fn push(&mut self, column: usize, value: f64) {
+    fn push(&mut self, column: usize, value: E) {
         self.columns.push(column as u32);
         self.values.push(value);
     }
@@ -65,8 +74,11 @@ impl Rows {
             starts[j + 1] += starts[j];
         }
         let ends = starts[1..].to_vec();
-        let mut turned =
-            Self { ends, columns: vec![0; self.columns.len()], values: vec![0.0; self.values.len()] };
+        let mut turned = Self {
+            ends,
+            columns: vec![0; self.columns.len()],
+            values: vec![E::default(); self.values.len()],
+        };
         for row in 0..self.len() {
             for (j, value) in self.of(row) {
                 turned.columns[starts[j]] = row as u32;
@@ -78,14 +90,24 @@ impl Rows {
     }
 }
 
-/// K_ia = V_i V_a C_a W_ia \[kg/s\] of each pair of soil and water, by soil and by water.
+/// The drag of each pair of soil and water, K_ia = V_i V_a C_a W_ia \[kg/s\], by soil and by water.
 #[derive(Clone, Debug)]
-pub(super) struct Pairs {
-    pub(super) of_soil: Rows,
-    pub(super) of_water: Rows,
+pub(super) struct Pairs<E> {
+    pub(super) of_soil: Rows<E>,
+    pub(super) of_water: Rows<E>,
 }
 
-impl Pairs {
+/// Who may drag whom until the lists are made again: the soil listed for each water particle.
+pub(super) fn listed<T: Real, const D: usize>(across: &Across<T, D>, soil: usize, water: usize) -> Rows<()> {
+    let mut rows = Rows::default();
+    for i in 0..soil {
+        across.listed_water(i).for_each(|a| rows.push(a, ()));
+        rows.end_row();
+    }
+    rows.transposed(water)
+}
+
+impl<E: Copy + Default + Send + Sync> Pairs<E> {
     /// With the neighbours listed last, the densities of now and C_a \[kg/m³/s\] at each water particle.
     pub(super) fn of<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
         (across, drag): (&Across<T, D>, &Drag<T>),
@@ -93,7 +115,11 @@ impl Pairs {
         soil: &Phase<T, D, S>,
         water: &Phase<T, D, F>,
         coefficient: impl Fn(usize) -> T,
-    ) -> Self {
+    ) -> Self
+    where
+        E: Bond<D>,
+    {
+        let nothing = nothing(kernel).as_f64();
         // V_a C_a.
         let strengths: Vec<f64> =
             (0..water.len()).map(|a| (water.volume(a) * coefficient(a)).as_f64()).collect();
@@ -102,8 +128,9 @@ impl Pairs {
             for i in range {
                 if !soil.is_apart(i) {
                     let volume = drag.soil_side(soil, i, || across.filled(kernel, water, i)).as_f64();
-                    across.for_each_water_near(i, |a, r2| {
-                        rows.push(a, volume * strengths[a] * kernel.value(r2).as_f64());
+                    across.for_each_water_near(i, |a, away, r2| {
+                        let coefficient = volume * strengths[a] * kernel.value(r2).as_f64();
+                        rows.push(a, E::new(coefficient, Vector(away.as_f64()), nothing));
                     });
                 }
                 rows.end_row();
@@ -115,38 +142,34 @@ impl Pairs {
         Self { of_soil, of_water }
     }
 
-    /// Who may drag whom until the lists are made again: the soil listed for each water particle.
-    pub(super) fn listed<T: Real, const D: usize>(across: &Across<T, D>, soil: usize, water: usize) -> Rows {
-        let mut rows = Rows::default();
-        for i in 0..soil {
-            across.listed_water(i).for_each(|a| rows.push(a, 0.0));
-            rows.end_row();
-        }
-        rows.transposed(water)
-    }
-
     /// With each pair times the factor of its water particle.
-    pub(super) fn times(&self, factors: &[f64]) -> Self {
+    pub(super) fn times<const D: usize>(&self, factors: &[f64]) -> Self
+    where
+        E: Bond<D>,
+    {
         let mut pairs = self.clone();
         for (value, &a) in pairs.of_soil.values.iter_mut().zip(&pairs.of_soil.columns) {
-            *value *= factors[a as usize];
+            *value = value.times(factors[a as usize]);
         }
         let mut start = 0;
         for (&end, factor) in pairs.of_water.ends.iter().zip(factors) {
-            pairs.of_water.values[start..end].iter_mut().for_each(|value| *value *= factor);
+            pairs.of_water.values[start..end].iter_mut().for_each(|value| *value = value.times(*factor));
             start = end;
         }
         pairs
     }
 
     /// |v_a − Σ K_ia v_i/Σ K_ia| at each water particle \[m/s\], of velocities with the soil first.
-    pub(super) fn slips<const D: usize>(&self, velocity: &[Vector<f64, D>]) -> Vec<f64> {
+    pub(super) fn slips<const D: usize>(&self, velocity: &[Vector<f64, D>]) -> Vec<f64>
+    where
+        E: Bond<D>,
+    {
         let (soil, water) = velocity.split_at(self.of_soil.len());
         let slip = |(a, v): (usize, &Vector<f64, D>)| {
             let (mut slip, mut weight) = (Vector::zero(), 0.0);
-            for (i, k) in self.of_water.of(a) {
-                slip += (*v - soil[i]) * k;
-                weight += k;
+            for (i, bond) in self.of_water.of(a) {
+                slip += (*v - soil[i]) * bond.coefficient();
+                weight += bond.coefficient();
             }
             if weight > 0.0 { slip.norm() / weight } else { 0.0 }
         };

@@ -1,5 +1,6 @@
 //! Drag that grows with the slip: linear systems with the coefficients of the last slips, until these settle.
 
+use super::bond::Bond;
 use super::cholesky::Pattern;
 use super::pairs::Pairs;
 use super::scheme::Stage;
@@ -16,16 +17,19 @@ const MOST_SWEEPS: usize = 60;
 const STEEPEST: f64 = -4.0;
 
 /// Pairs with a coefficient that depends on the slip.
-pub(super) struct Sweeps<'a> {
+pub(super) struct Sweeps<'a, E> {
     /// V_i V_a W_ia of each pair.
-    pub(super) seen: &'a Pairs,
+    pub(super) seen: &'a Pairs<E>,
     /// C_a \[kg/m³/s\] of water particle a at a slip \[m/s\].
     pub(super) coefficient: &'a dyn Fn(usize, f64) -> f64,
     pub(super) pattern: Option<&'a Pattern>,
 }
 
-impl Sweeps<'_> {
-    fn with(&self, slips: &[f64]) -> Pairs {
+impl<E: Copy + Default + Send + Sync> Sweeps<'_, E> {
+    fn with<const D: usize>(&self, slips: &[f64]) -> Pairs<E>
+    where
+        E: Bond<D>,
+    {
         let factors: Vec<f64> = slips.iter().enumerate().map(|(a, &s)| (self.coefficient)(a, s)).collect();
         self.seen.times(&factors)
     }
@@ -36,7 +40,10 @@ impl Sweeps<'_> {
         stage: Stage<'_, D>,
         velocity: &[Vector<f64, D>],
         begin: &[Vector<f64, D>],
-    ) -> Result<Vec<Vector<f64, D>>, Unsolved> {
+    ) -> Result<Vec<Vector<f64, D>>, Unsolved>
+    where
+        E: Bond<D>,
+    {
         let floor = FLOOR * stage.scale(velocity) * stage.step;
         let masses = &stage.masses[stage.soil..];
         let mut begin = begin.to_vec();

@@ -7,10 +7,14 @@
 //! m_a k_a + \Delta t\sum_i K_{ia}\Big(k_a - \frac{\Delta t}{D_i}\sum_b K_{ib} k_b\Big)
 //! = b_a + \Delta t\sum_i \frac{K_{ia}}{D_i}\,b_i .$$
 //!
+//! Drag along the lines between particles ([`Along`](super::bond::Along)) makes matrices of the directions of
+//! K, D and the diagonal.
+//!
 //! Held particles have k = 0 in it: their rows are gone, and they drag the others as before.
 
+use super::bond::{Block, Bond};
 use super::cholesky::{Factor, Pattern};
-use super::conjugate_gradients::{self, Diagonal, Precondition};
+use super::conjugate_gradients::{self, Precondition};
 use super::pairs::Pairs;
 use super::scheme::Stage;
 use crate::parallel::{self, CHUNK};
@@ -36,31 +40,48 @@ pub(super) enum Unsolved {
 }
 
 /// The system over one stage; its arrays have the soil first.
-pub(super) struct System<'a, const D: usize> {
-    pub(super) pairs: &'a Pairs,
+pub(super) struct System<'a, E: Bond<D>, const D: usize> {
+    pub(super) pairs: &'a Pairs<E>,
     pub(super) stage: Stage<'a, D>,
     /// Δt/D_i of soil, zero where it is held.
-    yielding: Vec<f64>,
-    /// The diagonal of the Schur complement.
-    diagonal: Vec<f64>,
+    yielding: Vec<E::Block>,
+    /// The inverse of the diagonal of the Schur complement, and √Σ d²/m of that diagonal.
+    inverse_diagonal: Vec<E::Block>,
+    stiffness: f64,
     factor: Option<Factor<'a>>,
 }
 
-impl<'a, const D: usize> System<'a, D> {
+/// By the inverse of the diagonal.
+impl<E: Bond<D>, const D: usize> Precondition<D> for System<'_, E, D> {
+    fn apply(&self, residual: &[Vector<f64, D>], out: &mut [Vector<f64, D>]) {
+        for ((z, r), inverse) in out.iter_mut().zip(residual).zip(&self.inverse_diagonal) {
+            *z = inverse.apply(*r);
+        }
+    }
+}
+
+impl<'a, E: Bond<D>, const D: usize> System<'a, E, D> {
     /// With a factor, if there is a pattern for one and rounding leaves it.
-    pub(super) fn new(pairs: &'a Pairs, stage: Stage<'a, D>, pattern: Option<&'a Pattern>) -> Self {
+    pub(super) fn new(pairs: &'a Pairs<E>, stage: Stage<'a, D>, pattern: Option<&'a Pattern>) -> Self {
         let Stage { masses, soil, held, step, .. } = stage;
-        let yielding: Vec<f64> = (0..soil)
-            .map(|i| if i < held[0] { 0.0 } else { step / (masses[i] + step * pairs.of_soil.sum(i)) })
-            .collect();
-        let diagonal = (0..pairs.of_water.len())
-            .map(|a| {
-                let drag = pairs.of_water.of(a).map(|(i, k)| k * (1.0 - yielding[i] * k));
-                masses[soil + a] + step * drag.sum::<f64>()
+        let yielding: Vec<E::Block> = (0..soil)
+            .map(|i| match i < held[0] {
+                true => E::Block::zero(),
+                false => pairs.of_soil.sum(i).with_mass(masses[i], step).inverse(step),
             })
             .collect();
+        let diagonal = |a: usize| {
+            let mut drag = E::Block::zero();
+            for (i, bond) in pairs.of_water.of(a) {
+                drag += bond.left(&yielding[i]).block();
+            }
+            drag.with_mass(masses[soil + a], step)
+        };
+        let diagonal: Vec<E::Block> = (0..pairs.of_water.len()).map(diagonal).collect();
+        let stiffness = diagonal.iter().zip(&masses[soil..]).map(|(d, m)| d.size2() / m).sum::<f64>().sqrt();
+        let inverse_diagonal = diagonal.into_iter().map(|d| d.inverse(1.0)).collect();
         let factor = pattern.and_then(|pattern| Factor::new(pattern, pairs, &stage));
-        Self { pairs, stage, yielding, diagonal, factor }
+        Self { pairs, stage, yielding, inverse_diagonal, stiffness, factor }
     }
 
     /// The effective accelerations of a stage from `velocity`; of held particles, what they resist. The solution
@@ -77,10 +98,9 @@ impl<'a, const D: usize> System<'a, D> {
         }
         let mut water = begin.to_vec();
         water[..held[1]].fill(Vector::zero());
-        let diagonal = Diagonal(&self.diagonal);
         let precondition: &dyn Precondition<D> = match &self.factor {
             Some(factor) => factor,
-            None => &diagonal,
+            None => self,
         };
         let (condensed, allowed) = (self.condensed(&sides), self.allowed(velocity));
         conjugate_gradients::solve(self, precondition, &condensed, &mut water, allowed)?;
@@ -92,10 +112,8 @@ impl<'a, const D: usize> System<'a, D> {
 
     /// How large ‖r‖ may be.
     fn allowed(&self, velocity: &[Vector<f64, D>]) -> f64 {
-        let masses = self.water_masses();
-        let rounding: f64 = self.diagonal.iter().zip(masses).map(|(d, m)| d * d / m).sum();
-        let mass: f64 = masses.iter().sum();
-        self.stage.scale(velocity) * (TOLERANCE * mass.sqrt()).max(ROUNDING * rounding.sqrt())
+        let mass: f64 = self.water_masses().iter().sum();
+        self.stage.scale(velocity) * (TOLERANCE * mass.sqrt()).max(ROUNDING * self.stiffness)
     }
 
     /// ‖r‖ in the norm Σ r²/m. The Schur complement is no less than the water's masses, so that it bounds the
@@ -115,15 +133,15 @@ impl<'a, const D: usize> System<'a, D> {
         let (on_soil, on_water) = drag.split_at_mut(self.stage.soil);
         parallel::for_each_part(on_soil, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (i, force) in (first..).zip(part) {
-                for (a, k) in self.pairs.of_soil.of(i) {
-                    *force += (water[a] - soil[i]) * k;
+                for (a, bond) in self.pairs.of_soil.of(i) {
+                    *force += bond.pull(water[a] - soil[i]);
                 }
             }
         });
         parallel::for_each_part(on_water, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (a, force) in (first..).zip(part) {
-                for (i, k) in self.pairs.of_water.of(a) {
-                    *force += (soil[i] - water[a]) * k;
+                for (i, bond) in self.pairs.of_water.of(a) {
+                    *force += bond.pull(soil[i] - water[a]);
                 }
             }
         });
@@ -135,18 +153,18 @@ impl<'a, const D: usize> System<'a, D> {
         let mut soil = vec![Vector::zero(); self.stage.soil];
         parallel::for_each_part(&mut soil, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (i, x) in (first..).zip(part) {
-                for (a, k) in self.pairs.of_soil.of(i) {
-                    *x += water[a] * k;
+                for (a, bond) in self.pairs.of_soil.of(i) {
+                    *x += bond.pull(water[a]);
                 }
                 let side = sides.get(i).map_or(Vector::zero(), |&side| side * (1.0 / self.stage.step));
-                *x = (*x + side) * self.yielding[i];
+                *x = self.yielding[i].apply(*x + side);
             }
         });
         soil
     }
 
     /// `out ← S x` of the Schur complement; returns x · S x.
-    pub(super) fn apply(&self, x: &[Vector<f64, D>], out: &mut [Vector<f64, D>]) -> f64 {
+    pub(super) fn complement(&self, x: &[Vector<f64, D>], out: &mut [Vector<f64, D>]) -> f64 {
         let soil = self.soil_behind(x, &[]);
         let Stage { masses, held, step, .. } = self.stage;
         let rows = |first: usize, part: &mut [Vector<f64, D>]| {
@@ -154,8 +172,8 @@ impl<'a, const D: usize> System<'a, D> {
             for (a, out) in (first..).zip(part) {
                 let mut drag = Vector::zero();
                 if a >= held[1] {
-                    for (i, k) in self.pairs.of_water.of(a) {
-                        drag += (x[a] - soil[i]) * k;
+                    for (i, bond) in self.pairs.of_water.of(a) {
+                        drag += bond.pull(x[a] - soil[i]);
                     }
                 }
                 *out = x[a] * masses[soil.len() + a] + drag * step;
@@ -172,8 +190,8 @@ impl<'a, const D: usize> System<'a, D> {
         let mut out = water.to_vec();
         parallel::for_each_part(&mut out, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (a, out) in (first..).zip(part) {
-                for (i, k) in self.pairs.of_water.of(a) {
-                    *out += soil[i] * (k * self.yielding[i]);
+                for (i, bond) in self.pairs.of_water.of(a) {
+                    *out += bond.pull_through(&self.yielding[i], soil[i]);
                 }
                 if a < self.stage.held[1] {
                     *out = Vector::zero();

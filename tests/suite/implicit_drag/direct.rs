@@ -6,8 +6,9 @@ use alluvium::mixture::{DragScheme, DragSolver};
 use alluvium::time::{Evolve, LeapFrog, Moment, StepSize};
 use proptest::prelude::*;
 
-/// Soil, some of it held, and water in disorder with random velocities.
-fn cloud(seed: u64, conductivity: f64, floor: f64, solver: DragSolver) -> Both<f64> {
+/// Soil, some of it held, and water in disorder with random velocities; drag along the lines between particles, or
+/// along the slip.
+fn cloud(seed: u64, conductivity: f64, floor: f64, solver: DragSolver, along: bool) -> Both<f64> {
     let mut state = seed;
     let mut random = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -27,12 +28,19 @@ fn cloud(seed: u64, conductivity: f64, floor: f64, solver: DragSolver) -> Both<f
     for v in mixture.water_mut().velocities_mut().iter_mut() {
         *v = Vector([random(), random()]);
     }
-    mixture.with_gravity(Vector([0.0, -9.81])).with_drag_solver(solver)
+    let mixture = mixture.with_gravity(Vector([0.0, -9.81])).with_drag_solver(solver);
+    if along { mixture.with_projected_drag() } else { mixture }
 }
 
 /// Effective accelerations over a step, soil first, with the masses; and how many particles are held.
-fn solved(seed: u64, k: f64, floor: f64, solver: DragSolver) -> (Vec<(f64, Vector<f64, 2>)>, usize) {
-    let mut mixture = cloud(seed, k, floor, solver);
+fn solved(
+    seed: u64,
+    k: f64,
+    floor: f64,
+    solver: DragSolver,
+    along: bool,
+) -> (Vec<(f64, Vector<f64, 2>)>, usize) {
+    let mut mixture = cloud(seed, k, floor, solver, along);
     mixture.evaluate().unwrap();
     mixture.complete(Moment::Now, DT).unwrap();
     let (soil, water) = (mixture.soil(), mixture.water());
@@ -46,10 +54,10 @@ const DT: f64 = 5e-4;
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
     #[test]
-    fn both_solvers_find_the_same_velocities(seed in 1_u64..10_000, exponent in -9.0_f64..-0.5, floor in 0.0_f64..0.3) {
+    fn both_solvers_find_the_same_velocities(seed in 1_u64..10_000, exponent in -9.0_f64..-0.5, floor in 0.0_f64..0.3, along in any::<bool>()) {
         let k = 10_f64.powf(exponent);
-        let (iterative, held) = solved(seed, k, floor, DragSolver::Iterative);
-        let (direct, _) = solved(seed, k, floor, DragSolver::Direct);
+        let (iterative, held) = solved(seed, k, floor, DragSolver::Iterative, along);
+        let (direct, _) = solved(seed, k, floor, DragSolver::Direct, along);
         // κ = 4 Δt C_d/(ρ_s + ρ_f); velocities are up to 0.7 m/s.
         let condition = 4.0 * DT * 0.25 * 1000.0 * 9.81 / k / 1825.0;
         let allowed = (10.0 * condition * f64::EPSILON).max(1e-9);
@@ -70,7 +78,7 @@ proptest! {
 fn a_run_with_factors_is_that_without_and_resumes() {
     let run = |solver| {
         let step = StepSize::courant(0.2).unwrap();
-        super::Run::new(cloud(3, 1e-6, 0.15, solver), LeapFrog::new(), step)
+        super::Run::new(cloud(3, 1e-6, 0.15, solver, false), LeapFrog::new(), step)
     };
     let (mut direct, mut iterative) = (run(DragSolver::Direct), run(DragSolver::Iterative));
     for _ in 0..15 {

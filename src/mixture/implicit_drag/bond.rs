@@ -1,0 +1,160 @@
+//! What a pair of soil and water does to its slip: drag along the slip, or along the line between the two.
+
+use crate::space::Vector;
+use core::fmt::Debug;
+use core::ops::AddAssign;
+use nalgebra::{SMatrix, SVector};
+
+/// The drag K P of a pair, symmetric and positive: −K P v is what it does to the slip v.
+pub(super) trait Bond<const D: usize>: Copy + Default + Debug + Send + Sync + 'static {
+    /// Sums of K P.
+    type Block: Block<D>;
+    /// Equations a particle has: 1 if all directions obey the same.
+    const UNKNOWNS: usize;
+    /// Of the coefficient K \[kg/s\], for two particles `away` from each other; `nothing` \[m²\] is added to r².
+    fn new(coefficient: f64, away: Vector<f64, D>, nothing: f64) -> Self;
+    /// K \[kg/s\].
+    fn coefficient(self) -> f64;
+    /// With K times a factor.
+    fn times(self, factor: f64) -> Self;
+    /// K P x.
+    fn pull(self, x: Vector<f64, D>) -> Vector<f64, D>;
+    /// K P Y x.
+    fn pull_through(self, yielding: &Self::Block, x: Vector<f64, D>) -> Vector<f64, D>;
+    /// K P − K P Y K P, with Y of a particle that this pair is a part of: never below zero.
+    fn left(self, yielding: &Self::Block) -> Self;
+    /// Row `row` and column `column` of K P.
+    fn entry(self, row: usize, column: usize) -> f64;
+    /// K P.
+    fn block(self) -> Self::Block;
+}
+
+/// A symmetric matrix of the directions.
+pub(super) trait Block<const D: usize>: Copy + Debug + Send + Sync + AddAssign + 'static {
+    fn zero() -> Self;
+    /// The mass `mass` \[kg\] and this times the step \[s\].
+    fn with_mass(self, mass: f64, step: f64) -> Self;
+    /// Its inverse times `factor`; positive definite.
+    fn inverse(self, factor: f64) -> Self;
+    fn apply(&self, x: Vector<f64, D>) -> Vector<f64, D>;
+    /// Σ of the squares of its entries, per direction.
+    fn size2(&self) -> f64;
+    fn entry(&self, row: usize, column: usize) -> f64;
+}
+
+/// Along the slip: P = 1.
+impl<const D: usize> Bond<D> for f64 {
+    type Block = f64;
+    const UNKNOWNS: usize = 1;
+    fn new(coefficient: f64, _: Vector<f64, D>, _: f64) -> f64 {
+        coefficient
+    }
+    fn coefficient(self) -> f64 {
+        self
+    }
+    fn times(self, factor: f64) -> f64 {
+        self * factor
+    }
+    fn pull(self, x: Vector<f64, D>) -> Vector<f64, D> {
+        x * self
+    }
+    fn pull_through(self, yielding: &f64, x: Vector<f64, D>) -> Vector<f64, D> {
+        x * (self * yielding)
+    }
+    fn left(self, yielding: &f64) -> f64 {
+        self * (1.0 - yielding * self)
+    }
+    fn entry(self, _: usize, _: usize) -> f64 {
+        self
+    }
+    fn block(self) -> f64 {
+        self
+    }
+}
+
+impl<const D: usize> Block<D> for f64 {
+    fn zero() -> f64 {
+        0.0
+    }
+    fn with_mass(self, mass: f64, step: f64) -> f64 {
+        mass + step * self
+    }
+    fn inverse(self, factor: f64) -> f64 {
+        factor / self
+    }
+    fn apply(&self, x: Vector<f64, D>) -> Vector<f64, D> {
+        x * *self
+    }
+    fn size2(&self) -> f64 {
+        self * self
+    }
+    fn entry(&self, _: usize, _: usize) -> f64 {
+        *self
+    }
+}
+
+/// Along the line between the two: P = D r̂ r̂ᵀ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Along<const D: usize> {
+    coefficient: f64,
+    /// √D r̂.
+    line: Vector<f64, D>,
+}
+
+impl<const D: usize> Default for Along<D> {
+    fn default() -> Self {
+        Self { coefficient: 0.0, line: Vector::zero() }
+    }
+}
+
+impl<const D: usize> Bond<D> for Along<D> {
+    type Block = SMatrix<f64, D, D>;
+    const UNKNOWNS: usize = D;
+    fn new(coefficient: f64, away: Vector<f64, D>, nothing: f64) -> Self {
+        Self { coefficient, line: away * (D as f64 / (away.norm2() + nothing)).sqrt() }
+    }
+    fn coefficient(self) -> f64 {
+        self.coefficient
+    }
+    fn times(self, factor: f64) -> Self {
+        Self { coefficient: self.coefficient * factor, ..self }
+    }
+    fn pull(self, x: Vector<f64, D>) -> Vector<f64, D> {
+        self.line * (self.line.dot(x) * self.coefficient)
+    }
+    fn pull_through(self, yielding: &Self::Block, x: Vector<f64, D>) -> Vector<f64, D> {
+        self.pull(Block::apply(yielding, x))
+    }
+    fn left(self, yielding: &Self::Block) -> Self {
+        let yields = self.line.dot(Block::apply(yielding, self.line));
+        self.times(1.0 - yields * self.coefficient)
+    }
+    fn entry(self, row: usize, column: usize) -> f64 {
+        self.coefficient * (self.line[row] * self.line[column])
+    }
+    fn block(self) -> Self::Block {
+        SMatrix::from_fn(|row, column| self.entry(row, column))
+    }
+}
+
+impl<const D: usize> Block<D> for SMatrix<f64, D, D> {
+    fn zero() -> Self {
+        Self::zeros()
+    }
+    fn with_mass(self, mass: f64, step: f64) -> Self {
+        Self::identity() * mass + self * step
+    }
+    fn inverse(self, factor: f64) -> Self {
+        // Positive definite, unless its entries are not numbers.
+        self.cholesky().map_or(self * f64::NAN, |factored| factored.inverse() * factor)
+    }
+    fn apply(&self, x: Vector<f64, D>) -> Vector<f64, D> {
+        Vector((self * SVector::from(x.0)).into())
+    }
+    fn size2(&self) -> f64 {
+        self.norm_squared() / D as f64
+    }
+    fn entry(&self, row: usize, column: usize) -> f64 {
+        self[(row, column)]
+    }
+}
