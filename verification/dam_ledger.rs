@@ -37,6 +37,7 @@ pub fn studies() -> Vec<Study> {
         full(at(REINITIALISED, MIDDLE), 2e-3),
         full(at(REINITIALISED, FINE), 2e-3),
         full(at(PAPER, FINE), 2e-3),
+        full(at(Closing { courant: 0.1, ..PAPER }, FINE), 2e-3),
         tightness(HALF_STEP),
         tightness(at(EXTRAPOLATED, MIDDLE)).level(Level::Full),
         tightness(at(EXTRAPOLATED, FINE)).level(Level::Full),

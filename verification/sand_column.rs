@@ -40,8 +40,8 @@ pub fn studies() -> Vec<Study> {
 }
 
 fn surface(spacing: f64) -> Study {
-    let claim = "sand that flows at a constant volume ends where the experiment ended: surface, foot of the failure \
-                 line, area (values: half widths from the middle of each band)";
+    let claim = "sand that flows at a constant volume, its stress smoothed every 200 steps, is after 1 s where the experiment \
+                 ended: surface, foot of the failure line, area (values: half widths from the middle of each band)";
     Study::new(format!("sand-column/surface/{spacing}"), claim, move |conditions| {
         let heap = heap(spacing, conditions);
         let (rms, _) = heap.surface.distance(&experiment().between(0.0, COMPARED), 0.0);
@@ -62,7 +62,8 @@ fn surface(spacing: f64) -> Study {
 }
 
 fn rest(spacing: f64) -> Study {
-    let claim = "the heap rests under its own weight (values: half widths from the middle of each band)";
+    let claim = "the heap, its stress smoothed every 200 steps, rests under its own weight after 1 s (values: half widths from \
+                 the middle of each band)";
     Study::new(format!("sand-column/rest/{spacing}"), claim, move |conditions| {
         let heap = heap(spacing, conditions);
         measured(vec![
@@ -111,8 +112,8 @@ fn regularisation() -> Study {
 const SHAPES: [(f64, f64); 4] = [(0.5, 0.8), (1.0, 1.1), (2.0, 1.5), (4.0, 2.1)];
 
 fn shapes() -> Study {
-    let claim = "columns of other shapes run as far as those of others: between the shortest and the longest of their \
-                 laws, which differ by a factor of two (values: half widths from the middle between these)";
+    let claim = "columns of other shapes run no less far than the shortest and no farther than the longest of the laws of \
+                 others, which differ by a factor of two to three (values: half widths from the middle between these)";
     Study::new("sand-column/run-out", claim, move |conditions| {
         let angle = if conditions.is(SLIPPERY) { 10.0 } else { 19.8 };
         let bands = SHAPES.map(|(ratio, end)| {

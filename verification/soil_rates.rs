@@ -195,7 +195,7 @@ fn turning<T: Real, const D: usize>(name: &str) -> Study {
         "where soil turns as a whole its stress changes by ωσ − σω, at any angle between the two: the error \
          is that of the gradient on a lattice (values: of the size of the rate)",
         |conditions| {
-            let angles = (0..16).map(|n| f64::from(n) * core::f64::consts::PI / 16.0);
+            let angles = (0..24).map(|n| f64::from(n) * core::f64::consts::PI / 24.0);
             Measured::values(angles.map(|angle| {
                 let error = match conditions.is(BACKWARDS) {
                     true => turning_error::<T, D, _>(SpinningBack(elastic()), angle),

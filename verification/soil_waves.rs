@@ -35,9 +35,13 @@ pub fn studies() -> Vec<Study> {
 }
 
 fn study<T: Real, const D: usize>(name: &str, wave: Wave, sides: &'static [usize]) -> Study {
-    Study::new(name, "a standing wave in elastic soil has the speed of its modulus within 2 %", move |c| {
-        Measured::errors(sides.iter().map(|&side| (1.0 / side as f64, error::<T, D>(wave, side, 2.0, c))))
-    })
+    Study::new(
+        name,
+        "a standing wave in elastic soil, h = 2Δx, has the speed of its modulus within 2 %",
+        move |c| {
+            Measured::errors(sides.iter().map(|&side| (1.0 / side as f64, error::<T, D>(wave, side, 2.0, c))))
+        },
+    )
     .equations(&["33", "53", "55", "63", "64", "65"])
     .source(SOURCE)
     .expect(Expected::Bound { largest: 0.02 })
