@@ -1,9 +1,8 @@
 //! What a pair of soil and water does to its slip: drag along the slip, or along the line between the two.
 
-use crate::space::Vector;
+use crate::space::{Dense, Vector};
 use core::fmt::Debug;
 use core::ops::AddAssign;
-use nalgebra::{SMatrix, SVector};
 
 /// The drag K P of a pair, symmetric and positive: −K P v is what it does to the slip v.
 pub(super) trait Bond<const D: usize>: Copy + Default + Debug + Send + Sync + 'static {
@@ -108,7 +107,7 @@ impl<const D: usize> Default for Along<D> {
 }
 
 impl<const D: usize> Bond<D> for Along<D> {
-    type Block = SMatrix<f64, D, D>;
+    type Block = Square<D>;
     const UNKNOWNS: usize = D;
     fn new(coefficient: f64, away: Vector<f64, D>, nothing: f64) -> Self {
         Self { coefficient, line: away * (D as f64 / (away.norm2() + nothing)).sqrt() }
@@ -133,28 +132,45 @@ impl<const D: usize> Bond<D> for Along<D> {
         self.coefficient * (self.line[row] * self.line[column])
     }
     fn block(self) -> Self::Block {
-        SMatrix::from_fn(|row, column| self.entry(row, column))
+        Square::of(|row, column| self.entry(row, column))
     }
 }
 
-impl<const D: usize> Block<D> for SMatrix<f64, D, D> {
+/// Rows of a matrix.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Square<const D: usize>([[f64; D]; D]);
+
+impl<const D: usize> Square<D> {
+    fn of(entry: impl Fn(usize, usize) -> f64) -> Self {
+        Self(core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column))))
+    }
+}
+
+impl<const D: usize> AddAssign for Square<D> {
+    fn add_assign(&mut self, other: Self) {
+        *self = Self::of(|row, column| self.0[row][column] + other.0[row][column]);
+    }
+}
+
+impl<const D: usize> Block<D> for Square<D> {
     fn zero() -> Self {
-        Self::zeros()
+        Self([[0.0; D]; D])
     }
     fn with_mass(self, mass: f64, step: f64) -> Self {
-        Self::identity() * mass + self * step
+        Self::of(|row, column| step * self.0[row][column] + if row == column { mass } else { 0.0 })
     }
     fn inverse(self, factor: f64) -> Self {
-        // Positive definite, unless its entries are not numbers.
-        self.cholesky().map_or(self * f64::NAN, |factored| factored.inverse() * factor)
+        // Positive definite, unless its entries are not numbers: then the solution is none either, and is refused.
+        let inverse = Dense::inverse(&self.0).unwrap_or([[f64::NAN; D]; D]);
+        Self::of(|row, column| factor * inverse[row][column])
     }
     fn apply(&self, x: Vector<f64, D>) -> Vector<f64, D> {
-        Vector((self * SVector::from(x.0)).into())
+        Vector(core::array::from_fn(|row| Vector(self.0[row]).dot(x)))
     }
     fn size2(&self) -> f64 {
-        self.norm_squared() / D as f64
+        self.0.as_flattened().iter().map(|entry| entry * entry).sum::<f64>() / D as f64
     }
     fn entry(&self, row: usize, column: usize) -> f64 {
-        self[(row, column)]
+        self.0[row][column]
     }
 }
