@@ -50,6 +50,19 @@ fn a_stress_turns_with_its_matter() {
 }
 
 #[test]
+fn tension_ends_at_the_cut_off_and_else_at_the_apex() {
+    let clay =
+        "isotropic --bulk-modulus 1e7 --friction-angle 30 --cohesion 1e4 --confining-stress 0 --strain -0.01";
+    let mean = |arguments: &str| {
+        let rows = table(&format!("{clay} {arguments}"));
+        ["xx", "yy", "zz"].map(|name| last(&rows, &format!("stress_{name} [Pa]"))).iter().sum::<f64>() / 3.0
+    };
+    assert!((mean("--tension-cut-off 2e3") / 2e3 - 1.0).abs() < 1e-9);
+    // c cot θ.
+    assert!((mean("") / (1e4 * 3.0_f64.sqrt()) - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn a_cycle_ends_where_it_began_and_loses_energy() {
     let sand = "cyclic --bulk-modulus 1e7 --friction-angle 30 --strain 0.02 --cycles 2";
     let rows = table(sand);

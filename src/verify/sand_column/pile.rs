@@ -4,6 +4,7 @@ use crate::kernel::{Kernel, WendlandC2};
 use crate::material::{Material, Memory};
 use crate::mixture::Mixture;
 use crate::real::Real;
+use crate::space::SymTensor;
 use crate::verify::Curve;
 use std::collections::HashMap;
 
@@ -60,6 +61,8 @@ pub struct Grain {
     pub pressure: f64,
     /// Its equivalent plastic strain \[-\]; zero if its law remembers none.
     pub plastic_strain: f64,
+    /// Its plastic shear strain ε_p^xy \[-\] (79); zero if its law remembers none.
+    pub plastic_shear: f64,
 }
 
 /// The soil of an instant in a section, walls left out.
@@ -94,7 +97,8 @@ impl Pile {
         let inner = soil.wall_particles()..soil.len();
         let edge = |i: usize| soil.volume(i).as_f64().powf(1.0 / D as f64);
         let spacing = inner.clone().map(edge).sum::<f64>() / inner.len().max(1) as f64;
-        let at = plastic_strain_at::<T, S>();
+        let [equivalent, tensor] = ["equivalent_plastic_strain", "plastic_strain"].map(shown_at::<T, S>);
+        let shear = tensor.map(|first| first + SymTensor::<T>::index(0, 1));
         let mut memory = Vec::new();
         let grain = |i: usize| {
             memory.clear();
@@ -106,7 +110,8 @@ impl Pile {
                 volume: soil.volume(i).as_f64(),
                 speed: soil.velocities()[i].norm().as_f64(),
                 pressure: soil.pressures()[i].as_f64(),
-                plastic_strain: at.map_or(0.0, |at| memory[at]),
+                plastic_strain: equivalent.map_or(0.0, |at| memory[at]),
+                plastic_shear: shear.map_or(0.0, |at| memory[at]),
             }
         };
         Self::new(section, spacing, inner.map(grain).collect())
@@ -243,10 +248,10 @@ fn loose(grains: &[Grain], reach: f64) -> Vec<bool> {
     grains.iter().map(is_loose).collect()
 }
 
-/// Which of the numbers a law's memory shows is the equivalent plastic strain.
-fn plastic_strain_at<T: Real, S: Material<T>>() -> Option<usize> {
+/// Where among the numbers a law's memory shows a field begins.
+fn shown_at<T: Real, S: Material<T>>(field: &str) -> Option<usize> {
     let shown = <S::Memory as Memory<T>>::SHOWN;
-    let at = shown.iter().position(|(name, _)| *name == "equivalent_plastic_strain")?;
+    let at = shown.iter().position(|(name, _)| *name == field)?;
     Some(shown[..at].iter().map(|(_, components)| components).sum())
 }
 

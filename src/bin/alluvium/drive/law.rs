@@ -23,10 +23,14 @@ pub fn drive<T: Real>(options: &DriveOptions) -> Result<Answer, Failure> {
     let cone = law.cone.map(|name| name.cone()).unwrap_or_default();
     match law.surface {
         SurfaceName::DruckerPrager => {
-            along(DruckerPrager::cohesive(cone, friction, dilatancy, cohesion)?, options)
+            let surface = DruckerPrager::cohesive(cone, friction, dilatancy, cohesion)?;
+            let largest = law.tension_cut_off.map_or(T::INFINITY, T::of);
+            along(surface.with_tension_cut_off(largest)?, options)
         }
         SurfaceName::MohrCoulomb => {
-            unused("mohr-coulomb", &[("--cone", law.cone.is_some())])?;
+            let given =
+                [("--cone", law.cone.is_some()), ("--tension-cut-off", law.tension_cut_off.is_some())];
+            unused("mohr-coulomb", &given)?;
             along(MohrCoulomb::cohesive(friction, dilatancy, cohesion)?, options)
         }
         SurfaceName::Elastic => {
@@ -34,6 +38,7 @@ pub fn drive<T: Real>(options: &DriveOptions) -> Result<Answer, Failure> {
                 ("--friction-angle", law.friction_angle.is_some()),
                 ("--dilatancy-angle", law.dilatancy_angle.is_some()),
                 ("--cohesion", law.cohesion.is_some()),
+                ("--tension-cut-off", law.tension_cut_off.is_some()),
                 ("--cone", law.cone.is_some()),
                 ("--plasticity", law.plasticity.is_some()),
             ];

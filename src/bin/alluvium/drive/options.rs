@@ -53,6 +53,9 @@ pub struct LawOptions {
     /// Cohesion c [Pa] of Mohr and Coulomb [default: 0].
     #[arg(long, value_name = "PA")]
     pub cohesion: Option<f64>,
+    /// Largest mean tension [Pa] of the cone of Drucker and Prager [default: that of its apex].
+    #[arg(long, value_name = "PA")]
+    pub tension_cut_off: Option<f64>,
     /// In which states the cone of Drucker and Prager meets the pyramid of Mohr and Coulomb [default:
     /// plane-strain].
     #[arg(long, value_enum)]

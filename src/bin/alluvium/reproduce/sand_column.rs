@@ -199,6 +199,7 @@ fn present(
     write_curve(&mut results.folder, "failure_line.csv", run.failure.points())?;
     results.picture("surface", &pictures::surface(run, beside, published, case))?;
     results.picture("plastic_strain", &pictures::plastic_strain(run))?;
+    results.picture("plastic_shear", &pictures::plastic_shear(run))?;
     if let Some(beside) = beside {
         results.picture("plastic_strain_associated", &pictures::plastic_strain(&beside.run))?;
     }

@@ -3,7 +3,7 @@
 use super::{Beside, FLOOR, Published, Run};
 use crate::plots::{Chart, Panel, ParticlePicture, Series};
 use alluvium::case::Case;
-use alluvium::verify::sand_column::{HEIGHT, Pile, WIDTH};
+use alluvium::verify::sand_column::{Grain, HEIGHT, Pile, WIDTH};
 
 /// Final surface and failure line over the measured ones.
 pub fn surface(run: &Run, beside: Option<&Beside>, published: &Published, case: &Case) -> String {
@@ -36,17 +36,25 @@ pub fn surface(run: &Run, beside: Option<&Beside>, published: &Published, case: 
 
 /// Equivalent plastic strain at the dumps after the start.
 pub fn plastic_strain(run: &Run) -> String {
+    strain(run, "equivalent plastic strain [-]", |grain| grain.plastic_strain)
+}
+
+/// Plastic shear strain (79) at the same dumps.
+pub fn plastic_shear(run: &Run) -> String {
+    strain(run, "plastic shear strain |ε_p^xy| [-]", |grain| grain.plastic_shear.abs())
+}
+
+fn strain(run: &Run, quantity: &'static str, of: impl Fn(&Grain) -> f64) -> String {
     let spacing = run.piles.first().map_or(SMALLEST, |(_, pile)| pile.spacing());
     let picture = ParticlePicture {
-        quantity: "equivalent plastic strain [-]",
+        quantity,
         range: (0.01, 2.0),
         window: ([-0.005, -0.005], [FLOOR, 0.13]),
         spacing,
         axes: ["x [m]", "y [m]"],
         columns: 2,
     };
-    let grains =
-        |pile: &Pile| pile.grains().iter().map(|grain| (grain.place, grain.plastic_strain)).collect();
+    let grains = |pile: &Pile| pile.grains().iter().map(|grain| (grain.place, of(grain))).collect();
     let panel = |(time, pile): &(f64, Pile)| Panel {
         caption: format!("t = {time:.2} s"),
         layers: vec![grains(pile)],

@@ -41,6 +41,7 @@ fn pile(time: f64) -> Pile {
             speed: 0.0,
             pressure: 900.0,
             plastic_strain: 5.0 * far,
+            plastic_shear: -4.0 * far,
         }
     };
     Pile::new(Section::FLAT, spacing, (0..800).map(grain).collect())
@@ -66,7 +67,7 @@ fn a_run_is_compared_and_drawn() {
     for part in ["| yes |", "| **no** |", "0.90 kPa", "particle 7 left", "32.9°, foot 0.179 m", "0.314 m"] {
         assert!(report.contains(part), "{part} is missing:\n{report}");
     }
-    for picture in ["surface", "energy", "plastic_strain", "plastic_strain_associated"] {
+    for picture in ["surface", "energy", "plastic_strain", "plastic_shear", "plastic_strain_associated"] {
         let svg = std::fs::read_to_string(path.join(format!("pictures/{picture}.svg"))).unwrap();
         assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN"), "{picture}");
         if let Some(folder) = std::env::var_os("ALLUVIUM_SAMPLES") {
