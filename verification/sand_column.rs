@@ -94,7 +94,7 @@ fn precision(spacing: f64) -> Study {
 
 fn regularisation() -> Study {
     let claim = "stress smoothed every 200 steps takes energy, and the ledger has it (value: what no account explains \
-                 over what was released)";
+                 over two thousandths of what was released)";
     Study::new("sand-column/regularisation", claim, move |conditions| {
         let (_, _, [start, end]) = run::<f64>(&text(0.005, 19.8).replace("[[soil.block]]", REGULARISED), 0.6);
         let released = start.potential - end.potential;

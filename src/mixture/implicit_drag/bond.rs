@@ -174,3 +174,64 @@ impl<const D: usize> Block<D> for Square<D> {
         self.0[row][column]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// K P, Y and what is left of the pair, entry by entry, against the products of matrices.
+    fn agrees<E: Bond<D>, const D: usize>() {
+        let vector = |shift: f64| Vector(core::array::from_fn(|k| (1.0 + shift + k as f64).sin()));
+        let square = |of: &dyn Fn(usize, usize) -> f64| -> [[f64; D]; D] {
+            core::array::from_fn(|row| core::array::from_fn(|column| of(row, column)))
+        };
+        let [first, second] = [0.0, 2.0].map(|shift| E::new(3.0, vector(shift), 1e-9));
+        let mut drag = first.block();
+        drag += second.block();
+        let step = 0.7;
+        let yielding = drag.with_mass(2.0, step).inverse(step);
+        // D^-1 D = 1.
+        for k in 0..D {
+            let mut unit = Vector::zero();
+            unit[k] = 1.0;
+            let back = yielding.apply(drag.with_mass(2.0, step).apply(unit)) * (1.0 / step);
+            assert!((back - unit).norm() < 1e-14, "{back:?}");
+        }
+        let x = vector(5.0);
+        let full = |row: usize, column: usize| {
+            if E::UNKNOWNS == 1 && row != column { 0.0 } else { first.entry(row, column) }
+        };
+        let matrix = square(&full);
+        let product: [f64; D] = core::array::from_fn(|row| Vector(matrix[row]).dot(x));
+        assert!((first.pull(x) - Vector(product)).norm() < 1e-14);
+        assert!((first.block().apply(x) - first.pull(x)).norm() < 1e-14);
+        assert!((first.pull_through(&yielding, x) - first.pull(yielding.apply(x))).norm() < 1e-14);
+        let left = first.pull(x) - first.pull(yielding.apply(first.pull(x)));
+        assert!((first.left(&yielding).pull(x) - left).norm() < 1e-13);
+        assert!(first.left(&yielding).pull(x).dot(x) >= 0.0);
+        assert!((first.times(2.0).pull(x) - first.pull(x) * 2.0).norm() < 1e-14);
+    }
+
+    #[test]
+    fn a_bond_is_the_matrix_it_stands_for() {
+        agrees::<f64, 2>();
+        agrees::<f64, 3>();
+        agrees::<Along<2>, 2>();
+        agrees::<Along<3>, 3>();
+    }
+
+    #[test]
+    fn along_the_line_nothing_pulls_across_it_and_all_lines_together_pull_as_the_slip() {
+        let away = Vector([0.3, -0.4, 0.0]);
+        let bond = Along::<3>::new(2.0, away, 0.0);
+        assert!(bond.pull(Vector([0.4, 0.3, 1.0])).norm() < 1e-15);
+        // D r̂ r̂ᵀ over the axes is D times their mean: 1 each.
+        let axes = (0..3).map(|k| {
+            let mut away = Vector::zero();
+            away[k] = 0.1;
+            Along::<3>::new(2.0, away, 0.0).pull(Vector([1.0, 2.0, 3.0])) * (1.0 / 3.0)
+        });
+        let sum = axes.fold(Vector::zero(), |sum, pull| sum + pull);
+        assert!((sum - Vector([2.0, 4.0, 6.0])).norm() < 1e-14, "{sum:?}");
+    }
+}

@@ -1,6 +1,6 @@
 //! Drag that grows with the slip, evaluated and solved over the step.
 
-use super::{Both, Run, SIDE, SPACING, box_of, cloud, slip, weight};
+use super::{Both, Run, SIDE, SPACING, box_of, cloud, nearest, slip, weight};
 use alluvium::Vector;
 use alluvium::material::{Conductivity, DragLaw, Ergun, Forchheimer, PoreFluid};
 use alluvium::mixture::{DragScheme, StepError};
@@ -181,9 +181,20 @@ fn slips_that_do_not_settle_end_the_step() {
 
 #[test]
 fn in_disorder_momentum_is_exact_and_the_coefficients_are_those_of_the_end() {
+    ends_with_its_own_coefficients(false);
+}
+
+#[test]
+fn projected_too() {
+    ends_with_its_own_coefficients(true);
+}
+
+/// A step from a cloud in disorder, against drag summed pair by pair with the velocities and slips at its end.
+fn ends_with_its_own_coefficients(is_projected: bool) {
     let dt = 5e-3;
     let settled = |scheme| {
-        let mut mixture = cloud(0.1, scheme).with_drag(ergun());
+        let mixture = cloud(0.1, scheme).with_drag(ergun());
+        let mut mixture = if is_projected { mixture.with_projected_drag() } else { mixture };
         mixture.evaluate().unwrap();
         mixture
     };
@@ -205,15 +216,18 @@ fn in_disorder_momentum_is_exact_and_the_coefficients_are_those_of_the_end() {
     let mut size = 0.0;
     for a in 0..water.len() {
         let v = water.velocities()[a] + water.accelerations()[a] * dt;
-        let (mut slip, mut around) = (Vector([0.0; 2]), 0.0);
+        let (mut slip, mut around, mut pulled) = (Vector([0.0; 2]), 0.0, Vector([0.0; 2]));
         for (i, u) in soil_end.iter().enumerate() {
             let w = soil.volume(i) * weight(&mixture, i, a);
             slip += (v - *u) * w;
             around += w;
+            let line = nearest(&mixture, i, a);
+            pulled +=
+                if is_projected { line * (2.0 * w * line.dot(v - *u) / line.norm2()) } else { (v - *u) * w };
         }
         let c = ergun().coefficient(water.volume_fraction(a), water.true_density(a), slip.norm() / around);
         let gained = water.accelerations()[a] - without.water().accelerations()[a];
-        let drag = slip * (-c / water.density(a));
+        let drag = pulled * (-c / water.density(a));
         worst = worst.max((gained - drag).norm() * dt);
         momentum += gained * water.masses()[a];
         size += gained.norm() * water.masses()[a];

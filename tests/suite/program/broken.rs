@@ -27,7 +27,9 @@ fn left_out(mistake: &Mistake, text: &str, message: &str, file: &Path) -> Option
     let value = mistake.value.lines().next().unwrap_or("");
     let Some(line) = pointed_to(message, file) else { return Some("file and line".to_owned()) };
     let Some(there) = text.lines().nth(line - 1) else { return Some(format!("line {line}")) };
-    let (what, allowed) = message.split_once("= allowed: ")?;
+    let Some((what, allowed)) = message.split_once("= allowed: ") else {
+        return Some("what is allowed".to_owned());
+    };
     let shows = |part: &str| what.contains(part);
     // A value stands on the line pointed to, behind its key.
     let is_there = value.is_empty() || (there.contains(value) && there.contains(name));
@@ -90,6 +92,7 @@ fn a_message_without_one_of_the_parts_is_found() {
     assert_eq!(without("bulk_modulus_pa", "modulus").unwrap(), "key");
     assert_eq!(without("-0.7e6", "it").unwrap(), "value");
     assert_eq!(without("above", "over").unwrap(), "what is allowed");
+    assert_eq!(without("= allowed: ", "= only: ").unwrap(), "what is allowed");
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
