@@ -1,6 +1,6 @@
 //! Drag that grows with the slip, evaluated and solved over the step.
 
-use super::{Both, Run, SIDE, SPACING, box_of, cloud, nearest, slip, weight};
+use super::{Both, H, Run, SIDE, SPACING, box_of, cloud, nearest, slip, weight};
 use alluvium::Vector;
 use alluvium::material::{Conductivity, DragLaw, Ergun, Forchheimer, PoreFluid};
 use alluvium::mixture::{DragScheme, StepError};
@@ -222,8 +222,11 @@ fn ends_with_its_own_coefficients(is_projected: bool) {
             slip += (v - *u) * w;
             around += w;
             let line = nearest(&mixture, i, a);
-            pulled +=
-                if is_projected { line * (2.0 * w * line.dot(v - *u) / line.norm2()) } else { (v - *u) * w };
+            pulled += if is_projected {
+                line * (2.0 * w * line.dot(v - *u) / (line.norm2() + 1e-6 * H * H))
+            } else {
+                (v - *u) * w
+            };
         }
         let c = ergun().coefficient(water.volume_fraction(a), water.true_density(a), slip.norm() / around);
         let gained = water.accelerations()[a] - without.water().accelerations()[a];
