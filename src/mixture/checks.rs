@@ -7,6 +7,7 @@ use super::setting::Setting;
 use super::step_error::{Culprit, StepError};
 use crate::budget::Exchange;
 use crate::kernel::Kernel;
+use crate::lanes::{Lanes, Work, dispatch};
 use crate::material::{Material, Memory};
 use crate::parallel;
 use crate::real::{Num, Real};
@@ -28,9 +29,30 @@ struct Survey<const D: usize> {
     suspect: Option<usize>,
 }
 
+/// A look at the rates of `range`, which begins with a slice.
+struct Look<'a, T: Real, K, const D: usize, M: Material<T>> {
+    constituent: &'a Constituent<T, D, M>,
+    setting: &'a Setting<T, D, K>,
+    range: Range<usize>,
+    closest2: T,
+}
+
+impl<T: Real, K: Kernel<T, D>, const D: usize, M: Material<T>> Work<T> for Look<'_, T, K, D, M> {
+    type Out = Survey<D>;
+    #[inline(always)]
+    fn run<L: Lanes<Scalar = T>>(self) -> Survey<D> {
+        self.constituent.survey(self.setting, self.range, self.closest2)
+    }
+}
+
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
-    /// Fields before an evaluation: all finite, density and speed in range.
-    pub(super) fn check_fields<K: Kernel<T, D>>(&self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
+    /// Fields before an evaluation: all finite, density and speed in range. A list of neighbours that still
+    /// serves, `are_listed`, is a proof that every position is finite.
+    pub(super) fn check_fields<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+        are_listed: bool,
+    ) -> Result<(), StepError> {
         let phase = &self.phase;
         let walls = phase.wall_particles();
         let c = phase.material().sound_speed();
@@ -42,7 +64,8 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 && (i < walls || phase.now.velocity[i].norm2() <= c * c)
         };
         let first_bad = |mut range: Range<usize>| {
-            if self.is_plainly_sound(range.clone(), c * c, range_of_density) {
+            let is_somewhere = are_listed || self.is_plainly_somewhere(range.clone());
+            if is_somewhere && self.is_plainly_sound(range.clone(), c * c, range_of_density) {
                 return None;
             }
             range.find(|&i| !sound(i))
@@ -74,14 +97,11 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         })
     }
 
-    /// Whether nothing is wrong with the particles of `range`, by a quick look without branches that
+    /// Whether nothing but perhaps the place is wrong with the particles of `range`, by a quick look without branches that
     /// may have false alarms: for fast walls, and where a square overflows.
     fn is_plainly_sound(&self, range: Range<usize>, fastest2: T, density_range: T) -> bool {
         let (phase, now) = (&self.phase, &self.phase.now);
         let mut sound = true;
-        for x in &phase.position[range.clone()] {
-            sound &= x.norm2().is_finite();
-        }
         for v in &now.velocity[range.clone()] {
             sound &= v.norm2() <= fastest2;
         }
@@ -91,6 +111,11 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             sound &= (excess / fraction).abs() <= density_range;
         }
         sound && now.memory[range].iter().all(Memory::is_finite)
+    }
+
+    /// Whether the positions of `range` are finite, by the same kind of look.
+    fn is_plainly_somewhere(&self, range: Range<usize>) -> bool {
+        self.phase.position[range].iter().fold(true, |finite, x| finite & x.norm2().is_finite())
     }
 
     /// Rates after an evaluation: all finite, nobody on top of another. Also finds the largest
@@ -108,7 +133,10 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         let survey = parallel::reduce(
             self.phase.len(),
             Survey::default(),
-            |range| self.survey(setting, range, T::of(closest2)),
+            |range| {
+                let look = Look { constituent: self, setting, range, closest2: T::of(closest2) };
+                dispatch(self.neighbourhood.instruction_set(), look)
+            },
             |a, b| Survey {
                 acceleration2: if b.acceleration2 > a.acceleration2 {
                     b.acceleration2
@@ -130,6 +158,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     }
 
     /// `range` begins with a slice.
+    #[inline(always)]
     fn survey<K: Kernel<T, D>>(
         &self,
         setting: &Setting<T, D, K>,
@@ -139,15 +168,12 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         let (rate, sums) = (&self.phase.rate, &self.scratch.sums);
         let (mut sound, mut most) = (true, [T::ZERO; 16]);
         for first in range.clone().step_by(T::SLICE) {
-            let slice = first..range.end.min(first + T::SLICE);
-            let near = sums.lanes(first / T::SLICE, D + sum::CLOSEST);
-            let falls = first >= self.phase.wall_particles();
-            let rates = rate.acceleration[slice.clone()].iter().zip(&rate.excess[slice]).zip(near);
-            for (((a, e), &near2), most) in rates.zip(&mut most) {
-                let a2 = a.norm2();
-                sound &= a2.is_finite() & e.is_finite() & (near2 >= closest2);
-                *most = most.max(if falls { a2 } else { T::ZERO });
-            }
+            // A whole slice is told apart, so that it becomes vector code.
+            sound &= if first + T::SLICE <= range.end {
+                self.survey_slice(first, T::SLICE, closest2, &mut most)
+            } else {
+                self.survey_slice(first, range.end - first, closest2, &mut most)
+            };
         }
         let is_sound = |&i: &usize| {
             let near2 = sums.get(i, D + sum::CLOSEST);
@@ -162,6 +188,24 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             suspect: if sound { None } else { range.clone().find(|i| !is_sound(i)) },
             exchange_rate: self.exchange(setting, range),
         }
+    }
+
+    /// Whether the rates of a slice, or of its first `count` particles, are sound; also finds the squares of
+    /// the largest accelerations, lane by lane.
+    #[inline(always)]
+    fn survey_slice(&self, first: usize, count: usize, closest2: T, most: &mut [T; 16]) -> bool {
+        let rate = &self.phase.rate;
+        let (accelerations, excesses) =
+            (&rate.acceleration[first..][..count], &rate.excess[first..][..count]);
+        let near2 = &self.scratch.sums.lanes(first / T::SLICE, D + sum::CLOSEST)[..count];
+        let falls = first >= self.phase.wall_particles();
+        let mut sound = true;
+        for k in 0..count {
+            let a2 = accelerations[k].norm2();
+            sound &= a2.is_finite() & excesses[k].is_finite() & (near2[k] >= closest2);
+            most[k] = most[k].max(if falls { a2 } else { T::ZERO });
+        }
+        sound
     }
 
     /// What is wrong with particle `i`.

@@ -111,9 +111,12 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
     /// Checks what came, and who is near whom.
     pub(super) fn settle<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) -> Result<(), StepError> {
-        self.check_fields(setting)?;
+        let are_listed = !self.neighbourhood.is_stale(&self.phase.position);
+        self.check_fields(setting, are_listed)?;
         self.prepare_hold();
-        self.find_neighbours();
+        if !are_listed {
+            self.list_neighbours();
+        }
         Ok(())
     }
 

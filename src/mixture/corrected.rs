@@ -18,7 +18,7 @@ use crate::material::Material;
 use crate::parallel::{self, CHUNK};
 use crate::real::{Num, Real};
 use crate::space::Vector;
-use crate::summation::{MOST, PairFormula, Record, number, vector};
+use crate::summation::{ChunkSums, MOST, PairFormula, Record, number, vector};
 
 /// `Σ q_j x_ji ⊗ ∇W`, sum number `αD + β`; record: x, q.
 struct Moment<K, const D: usize> {
@@ -154,15 +154,20 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
 
     /// Puts the corrected expansion into the sums in place of that of the pairs: `Σ m_j v_ij·∇W = −ρ ∇·v` (52), (53).
     /// Of shared space the soil's part is the coupling's.
-    pub(super) fn put_expansion(&mut self) {
+    pub(super) fn put_expansion(&self, sums: &mut ChunkSums<T>) {
         let (phase, shared) = (&self.phase, self.shares_pressure);
-        for (i, &expansion) in self.scratch.expansion.iter().enumerate() {
+        let first = sums.first;
+        let expansions = self.scratch.expansion.iter().skip(first);
+        for ((l, compression), &expansion) in
+            sums.all_mut(D + sum::COMPRESSION).iter_mut().enumerate().zip(expansions)
+        {
+            let i = first + l;
             // Walls that evolve nothing have no correction.
             if !phase.is_evolving(i) {
                 continue;
             }
             let density = if shared { phase.true_density(i) } else { phase.density(i) };
-            self.scratch.sums.set(i, D + sum::COMPRESSION, -density * expansion);
+            *compression = -density * expansion;
         }
     }
 

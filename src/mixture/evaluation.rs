@@ -11,14 +11,18 @@ use crate::material::Material;
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::{SymTensor, Tensor, Vector};
-use crate::summation::Sums;
+use crate::summation::{ChunkSums, PairFormula, Sums};
 
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Brings the neighbour lists up to date; now and then that re-sorts the particles.
     pub(super) fn find_neighbours(&mut self) {
-        if !self.neighbourhood.is_stale(&self.phase.position) {
-            return;
+        if self.neighbourhood.is_stale(&self.phase.position) {
+            self.list_neighbours();
         }
+    }
+
+    /// Lists the neighbours anew, and sorts the particles for it.
+    pub(super) fn list_neighbours(&mut self) {
         let periodic = *self.neighbourhood.periodic();
         if periodic.is_any() {
             for x in &mut self.phase.position {
@@ -71,13 +75,6 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
             (true, true) => self.sum_shared_pairs_with::<true, K>(setting),
             (false, true) => self.sum_shared_pairs_with::<false, K>(setting),
         }
-        if self.shares_pressure {
-            self.weigh_shared_sums();
-        }
-        if self.is_corrected {
-            self.put_expansion();
-        }
-        self.collect_rates(setting);
         if self.is_corrected {
             self.add_corrected_force(setting);
         }
@@ -91,21 +88,40 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     fn sum_own_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
         self.pack_own_pairs::<STRESS, K>();
-        let (records, sums) = (&self.scratch.records, &mut self.scratch.sums);
         if diffusion.is_hydrostatic() || self.phase.has_gliding_walls() {
-            let formula = OwnPairs::<T, K, D, STRESS, false> { kernel, viscosity, diffusion };
-            self.neighbourhood.sum(&formula, records, sums);
+            self.sum_rates(&OwnPairs::<T, K, D, STRESS, false> { kernel, viscosity, diffusion }, setting);
         } else {
-            let formula = OwnPairs::<T, K, D, STRESS, true> { kernel, viscosity, diffusion };
-            self.neighbourhood.sum(&formula, records, sums);
+            self.sum_rates(&OwnPairs::<T, K, D, STRESS, true> { kernel, viscosity, diffusion }, setting);
         }
     }
 
     fn sum_shared_pairs_with<const STRESS: bool, K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         let (kernel, (viscosity, diffusion)) = (setting.kernel.clone(), self.dissipation(setting));
         self.pack_own_pairs::<STRESS, K>();
-        let formula = SharedPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion };
-        self.neighbourhood.sum(&formula, &self.scratch.records, &mut self.scratch.sums);
+        self.sum_rates(&SharedPairs::<T, K, D, STRESS> { kernel, viscosity, diffusion }, setting);
+    }
+
+    /// Sums, and turns the sums of each chunk into rates while they are in the cache.
+    fn sum_rates<F: PairFormula<T>, K: Kernel<T, D>>(&mut self, formula: &F, setting: &Setting<T, D, K>) {
+        let mut acceleration = core::mem::take(&mut self.phase.rate.acceleration);
+        let mut excess = core::mem::take(&mut self.phase.rate.excess);
+        let mut sums = core::mem::take(&mut self.scratch.sums);
+        let this = &*self;
+        let collect = |sums: &mut ChunkSums<'_, T>, rates: &mut (&mut [Vector<T, D>], &mut [T])| {
+            if this.shares_pressure {
+                this.weigh_shared_sums(sums);
+            }
+            if this.is_corrected {
+                this.put_expansion(sums);
+            }
+            this.collect_rates(setting, sums, rates.0, rates.1);
+        };
+        let chunk = Sums::<T>::CHUNK;
+        let rates = acceleration.chunks_mut(chunk).zip(excess.chunks_mut(chunk));
+        this.neighbourhood.sum_and_then(formula, &this.scratch.records, &mut sums, rates, &collect);
+        self.phase.rate.acceleration = acceleration;
+        self.phase.rate.excess = excess;
+        self.scratch.sums = sums;
     }
 
     /// Artificial viscosity and density diffusion of the pairs.
@@ -168,50 +184,44 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         T::of(2.0) * self.diffusion.coefficient() * h * self.phase.material().sound_speed()
     }
 
-    /// Turns the sums into rates.
-    fn collect_rates<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
+    /// Turns the sums of a chunk into its rates.
+    fn collect_rates<K: Kernel<T, D>>(
+        &self,
+        setting: &Setting<T, D, K>,
+        sums: &ChunkSums<T>,
+        acceleration: &mut [Vector<T, D>],
+        excess: &mut [T],
+    ) {
+        let own: [&[T]; D] = core::array::from_fn(|axis| &sums.all(axis)[..acceleration.len()]);
+        for (k, a) in acceleration.iter_mut().enumerate() {
+            *a = Vector(own.map(|sum| sum[k]));
+        }
+        let walls = self.phase.wall_acceleration.len();
+        for a in acceleration.iter_mut().skip(walls.saturating_sub(sums.first)) {
+            *a += setting.gravity;
+        }
         let factor = self.diffusivity(setting);
         let inverse_reference = T::ONE / self.phase.material().reference_density();
-        let (sums, rate) = (&self.scratch.sums, &mut self.phase.rate);
-        let gravity = setting.gravity;
-        let walls = self.phase.wall_acceleration.len();
-        // Slice by slice, as the sums lie.
-        parallel::for_each_part(&mut rate.acceleration, 1, CHUNK, &|first, part: &mut [Vector<T, D>]| {
-            for (s, slice) in part.chunks_mut(T::SLICE).enumerate() {
-                let begin = first + s * T::SLICE;
-                let own: [&[T]; D] = core::array::from_fn(|axis| sums.lanes(begin / T::SLICE, axis));
-                for (lane, a) in slice.iter_mut().enumerate() {
-                    *a = Vector(own.map(|sum| sum[lane]));
-                    if begin + lane >= walls {
-                        *a += gravity;
-                    }
-                }
-            }
-        });
-        parallel::for_each_part(&mut rate.excess, 1, CHUNK, &|first, part: &mut [T]| {
-            for (s, slice) in part.chunks_mut(T::SLICE).enumerate() {
-                let s = first / T::SLICE + s;
-                let compression = sums.lanes(s, D + sum::COMPRESSION);
-                let diffusion = sums.lanes(s, D + sum::DIFFUSION);
-                for ((e, &compression), &diffusion) in slice.iter_mut().zip(compression).zip(diffusion) {
-                    *e = compression * inverse_reference + factor * diffusion; // (52)
-                }
-            }
-        });
+        let terms = sums.all(D + sum::COMPRESSION).iter().zip(sums.all(D + sum::DIFFUSION));
+        for (e, (&compression, &diffusion)) in excess.iter_mut().zip(terms) {
+            *e = compression * inverse_reference + factor * diffusion; // (52)
+        }
     }
 
     /// Turns the sums of [`SharedPairs`], per volume, into what [`OwnPairs`] would have summed: acceleration
     /// and Dρ/Dt.
-    fn weigh_shared_sums(&mut self) {
-        let (phase, sums) = (&self.phase, &mut self.scratch.sums);
-        for a in 0..phase.len() {
-            let pressure: Vector<T, D> = vector_sum(sums, a, D + sum::COUNT);
+    fn weigh_shared_sums(&self, sums: &mut ChunkSums<T>) {
+        let phase = &self.phase;
+        let chunk = sums.first..phase.len().min(sums.first + Sums::<T>::CHUNK);
+        for (l, a) in chunk.enumerate() {
             let inverse = T::ONE / phase.density(a);
             for k in 0..D {
-                sums.set(a, k, sums.get(a, k) - pressure[k] * inverse);
+                let pressure = sums.all(D + sum::COUNT + k)[l];
+                let own = &mut sums.all_mut(k)[l];
+                *own -= pressure * inverse;
             }
-            let compression = sums.get(a, D + sum::COMPRESSION);
-            sums.set(a, D + sum::COMPRESSION, phase.true_density(a) * compression);
+            let compression = &mut sums.all_mut(D + sum::COMPRESSION)[l];
+            *compression = phase.true_density(a) * *compression;
         }
     }
 

@@ -57,6 +57,7 @@ impl<const D: usize> Terms<D> {
 impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// What the particles of `range`, which begins with a slice, lose and are given per time, term by
     /// term.
+    #[inline(always)]
     pub(super) fn exchange<K: Kernel<T, D>>(
         &self,
         setting: &Setting<T, D, K>,
@@ -109,20 +110,32 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// What artificial viscosity and diffusion take from evolving particles of one slice.
     #[inline(always)]
     fn add_dissipation(&self, range: Range<usize>, terms: &mut Terms<D>) {
-        if range.is_empty() {
-            return;
-        }
-        let (phase, sums) = (&self.phase, &self.scratch.sums);
         let (slice, lane) = (range.start / T::SLICE, range.start % T::SLICE);
-        let losses = &sums.lanes(slice, D + sum::VISCOUS_LOSS)[lane..];
-        let compressions = &sums.lanes(slice, D + sum::COMPRESSION)[lane..];
-        let (masses, pressures) = (&phase.mass[range.clone()], &phase.pressure[range.clone()]);
-        let (fractions, excesses) = (&phase.volume_fraction[range.clone()], &phase.now.excess[range.clone()]);
-        let rates = &phase.rate.excess[range.clone()];
+        // A whole slice is told apart, so that it becomes vector code.
+        if range.len() == T::SLICE {
+            self.add_lanes(slice, 0..T::SLICE, terms);
+        } else if !range.is_empty() {
+            self.add_lanes(slice, lane..lane + range.len(), terms);
+        }
+        if self.shares_space() {
+            self.add_fraction_change(range, terms);
+        }
+    }
+
+    #[inline(always)]
+    fn add_lanes(&self, slice: usize, lanes: Range<usize>, terms: &mut Terms<D>) {
+        let (phase, sums) = (&self.phase, &self.scratch.sums);
+        let (first, count) = (slice * T::SLICE + lanes.start, lanes.len());
+        let losses = &sums.lanes(slice, D + sum::VISCOUS_LOSS)[lanes.clone()];
+        let compressions = &sums.lanes(slice, D + sum::COMPRESSION)[lanes.clone()];
+        let (masses, pressures) = (&phase.mass[first..][..count], &phase.pressure[first..][..count]);
+        let (fractions, excesses) =
+            (&phase.volume_fraction[first..][..count], &phase.now.excess[first..][..count]);
+        let rates = &phase.rate.excess[first..][..count];
         let reference = phase.material().reference_density();
-        let viscosity = &mut terms.artificial_viscosity[lane..];
-        let (diffusion, falling) = (&mut terms.density_diffusion[lane..], &mut terms.falling_mass[lane..]);
-        let count = range.len().min(T::SLICE - lane);
+        let viscosity = &mut terms.artificial_viscosity[lanes.clone()];
+        let (diffusion, falling) =
+            (&mut terms.density_diffusion[lanes.clone()], &mut terms.falling_mass[lanes]);
         for k in 0..count {
             let mass = masses[k].as_f64();
             let density = reference * (fractions[k] + excesses[k]);
@@ -134,9 +147,6 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
                 diffusion[k] -= stores * diffused;
             }
             falling[k] += mass;
-        }
-        if self.shares_space() {
-            self.add_fraction_change(range, terms);
         }
     }
 

@@ -10,5 +10,5 @@ mod record;
 pub use corrections::Corrections;
 pub use neighbourhood::Neighbourhood;
 pub use operators::{Cloud, Form};
-pub(crate) use pair_sum::{Aligned, MOST, PairFormula, Sums, pair_sum};
+pub(crate) use pair_sum::{Aligned, ChunkSums, MOST, PairFormula, Sums, Then, pair_sum};
 pub(crate) use record::{Record, add_vector, number, symmetric, vector};

@@ -5,6 +5,7 @@ use crate::lanes::{InstructionSet, Lanes, Work, baseline, dispatch};
 use crate::neighbours::SlicedList;
 use crate::parallel;
 use crate::real::{Num, Real};
+use core::ops::Range;
 
 /// Longest record and longest list of sums, in numbers.
 pub(crate) const MOST: usize = 16;
@@ -65,7 +66,11 @@ impl<T: Real> Aligned<T> {
     }
 }
 
-/// The sums of all particles: slice by slice, sum by sum, lane by lane.
+/// Slices in one chunk.
+const SLICES: usize = 128;
+
+/// The sums of all particles: chunk by chunk, sum by sum, particle by particle, so that who reads one of
+/// them reads on in memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sums<T> {
     data: Vec<T>,
@@ -73,19 +78,27 @@ pub(crate) struct Sums<T> {
 }
 
 impl<T: Real> Sums<T> {
+    /// Particles of one chunk, a task of the pair loop.
+    pub(crate) const CHUNK: usize = SLICES * T::SLICE;
+
+    #[inline(always)]
+    fn place(&self, i: usize, k: usize) -> usize {
+        (i / Self::CHUNK * self.count + k) * Self::CHUNK + i % Self::CHUNK
+    }
     /// Sum number `k` of particle `i`.
     #[inline(always)]
     pub(crate) fn get(&self, i: usize, k: usize) -> T {
-        self.data[(i / T::SLICE * self.count + k) * T::SLICE + i % T::SLICE]
+        self.data[self.place(i, k)]
     }
     /// Replaces sum number `k` of particle `i`.
     pub(crate) fn set(&mut self, i: usize, k: usize, value: T) {
-        self.data[(i / T::SLICE * self.count + k) * T::SLICE + i % T::SLICE] = value;
+        let place = self.place(i, k);
+        self.data[place] = value;
     }
     /// Sum number `k` of the particles of slice `s`.
     #[inline(always)]
     pub(crate) fn lanes(&self, s: usize, k: usize) -> &[T] {
-        &self.data[(s * self.count + k) * T::SLICE..][..T::SLICE]
+        &self.data[self.place(s * T::SLICE, k)..][..T::SLICE]
     }
     /// Bytes held.
     pub(crate) fn bytes(&self) -> usize {
@@ -93,43 +106,69 @@ impl<T: Real> Sums<T> {
     }
 }
 
-/// Slices in one task.
-const TASK: usize = 128;
+/// The sums of one chunk, just found.
+pub(crate) struct ChunkSums<'a, T> {
+    /// Number of its first particle.
+    pub(crate) first: usize,
+    data: &'a mut [T],
+}
 
-/// Evaluates `formula` for the first `particles` of the list, whole slices of them.
+impl<T: Real> ChunkSums<'_, T> {
+    /// Sum number `k` of its particles, and numbers that mean nothing behind the last particle of all.
+    #[inline(always)]
+    pub(crate) fn all(&self, k: usize) -> &[T] {
+        &self.data[k * Sums::<T>::CHUNK..][..Sums::<T>::CHUNK]
+    }
+    /// The same, to be changed.
+    pub(crate) fn all_mut(&mut self, k: usize) -> &mut [T] {
+        &mut self.data[k * Sums::<T>::CHUNK..][..Sums::<T>::CHUNK]
+    }
+}
+
+/// What is done with the sums of a chunk while they are in the cache, and with what belongs to it.
+pub(crate) type Then<'a, T, X> = &'a (dyn Fn(&mut ChunkSums<'_, T>, &mut X) + Sync);
+
+/// Evaluates `formula` for the first `particles` of the list, whole slices of them, and calls `then` for
+/// each chunk with its part of `beside`, which has one for each.
 ///
 /// # Panics
 /// `records` is shorter than the list needs: every point and the dummy.
-pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, const D: usize>(
+pub(crate) fn pair_sum<T: Real, F: PairFormula<T>, X: Send, const D: usize>(
     formula: &F,
-    list: &SlicedList<T, D>,
-    particles: usize,
+    (list, particles): (&SlicedList<T, D>, usize),
     records: &[T],
     set: InstructionSet,
     sums: &mut Sums<T>,
+    beside: impl Iterator<Item = X>,
+    then: Then<T, X>,
 ) {
     const { assert!(F::BLOCKS <= 4 && F::SUMS <= MOST && T::SLICE <= 16) };
     assert!(records.len() >= (list.others() + 1) * 4 * F::BLOCKS);
     sums.count = F::SUMS;
     let slices = particles.min(list.particles()).div_ceil(T::SLICE);
-    sums.data.resize(slices * F::SUMS * T::SLICE, T::ZERO);
-    parallel::for_each_part(&mut sums.data, F::SUMS * T::SLICE, TASK, &|first, out| {
-        let task = Task { formula, list, records, first, out };
+    let length = F::SUMS * Sums::<T>::CHUNK;
+    sums.data.resize(slices.div_ceil(SLICES) * length, T::ZERO);
+    let mut chunks: Vec<_> = sums.data.chunks_mut(length).zip(beside).collect();
+    parallel::for_each_part(&mut chunks, 1, 1, &|chunk, part: &mut [(&mut [T], X)]| {
+        let (out, beside) = &mut part[0];
+        let first = chunk * SLICES;
+        let task = Task { formula, list, records, slices: first..slices.min(first + SLICES), out };
         if F::SELDOM {
             baseline(task);
         } else {
             dispatch(set, task);
         }
+        then(&mut ChunkSums { first: first * T::SLICE, data: out }, beside);
     });
 }
 
-/// The sums of the slices from `first` on, as many as fit `out`; the list has them all, and `records`
+/// The sums of some slices of a chunk, into `out`, that of the chunk; the list has them all, and `records`
 /// as many records as `pair_sum` asks for.
 struct Task<'a, T, F, const D: usize> {
     formula: &'a F,
     list: &'a SlicedList<T, D>,
     records: &'a [T],
-    first: usize,
+    slices: Range<usize>,
     out: &'a mut [T],
 }
 
@@ -137,12 +176,13 @@ impl<T: Real, F: PairFormula<T>, const D: usize> Work<T> for Task<'_, T, F, D> {
     type Out = ();
     #[inline(always)]
     fn run<L: Lanes<Scalar = T>>(self) {
-        for s in 0..self.out.len() / (F::SUMS * T::SLICE) {
-            let rows = self.list.rows(self.first + s);
+        for s in 0..self.slices.end - self.slices.start {
+            let slice = self.slices.start + s;
+            let rows = self.list.rows(slice);
             for lane in (0..T::SLICE).step_by(L::WIDTH) {
-                let sums = self.sum::<L>((self.first + s) * T::SLICE + lane, lane, rows);
+                let sums = self.sum::<L>(slice * T::SLICE + lane, lane, rows);
                 for k in 0..F::SUMS {
-                    let out = &mut self.out[(s * F::SUMS + k) * T::SLICE + lane..][..L::WIDTH];
+                    let out = &mut self.out[k * Sums::<T>::CHUNK + s * T::SLICE + lane..][..L::WIDTH];
                     // SAFETY: `out` holds `WIDTH` numbers.
                     unsafe { sums[k].store(out.as_mut_ptr()) };
                 }

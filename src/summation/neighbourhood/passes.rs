@@ -4,7 +4,7 @@ use super::Neighbourhood;
 use crate::parallel::{self, CHUNK};
 use crate::real::Real;
 use crate::space::Vector;
-use crate::summation::{Aligned, PairFormula, Sums, pair_sum};
+use crate::summation::{Aligned, PairFormula, Sums, Then, pair_sum};
 
 impl<T: Real, const D: usize> Neighbourhood<T, D> {
     /// Writes the records of all particles, ghosts and the dummy as formula `F` reads them: the position, then what `fields(i, rest)` writes. A ghost has its owner's fields; the dummy has
@@ -58,6 +58,20 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         records: &Aligned<T>,
         sums: &mut Sums<T>,
     ) {
-        pair_sum(formula, &self.list, count, records.as_slice(), self.set, sums);
+        let nothing = core::iter::repeat(());
+        pair_sum(formula, (&self.list, count), records.as_slice(), self.set, sums, nothing, &|_, ()| {});
+    }
+
+    /// The same for all, and calls `then` with the sums of each chunk of [`Sums::CHUNK`] particles while they
+    /// are in the cache, and with its part of `beside`.
+    pub(crate) fn sum_and_then<F: PairFormula<T>, X: Send>(
+        &self,
+        formula: &F,
+        records: &Aligned<T>,
+        sums: &mut Sums<T>,
+        beside: impl Iterator<Item = X>,
+        then: Then<T, X>,
+    ) {
+        pair_sum(formula, (&self.list, self.particles), records.as_slice(), self.set, sums, beside, then);
     }
 }

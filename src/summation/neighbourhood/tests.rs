@@ -71,6 +71,34 @@ fn every_search_gives_the_same_sums_and_so_does_every_skin() {
 }
 
 #[test]
+fn a_chunk_hands_over_the_sums_that_are_kept() {
+    let x = cloud(40);
+    let chunk = Sums::<f64>::CHUNK;
+    assert!(x.len() > chunk && !x.len().is_multiple_of(chunk));
+    let mut hood = Neighbourhood::new(Box::<CellList<f64, 2>>::default(), 0.06);
+    hood.rebuild(&x, 0);
+    let (mut records, mut sums) = (Aligned::default(), Sums::default());
+    hood.pack::<Cone<f64>>(&x, &mut records, &[0.0, 1.0], &|i, rest| rest[..2].fill(1.0 + i as f64));
+    let mut seen = vec![[0.0; 3]; x.len()];
+    let cone = Cone { support: hood.support() };
+    let keep = |sums: &mut crate::summation::ChunkSums<'_, f64>, part: &mut &mut [[f64; 3]]| {
+        sums.all_mut(1)[0] = -1.0;
+        for (l, seen) in part.iter_mut().enumerate() {
+            *seen = [(sums.first + l) as f64, sums.all(0)[l], sums.all(1)[l]];
+        }
+    };
+    hood.sum_and_then(&cone, &records, &mut sums, seen.chunks_mut(chunk), &keep);
+    for (i, seen) in seen.iter().enumerate() {
+        assert_eq!(*seen, [i as f64, sums.get(i, 0), sums.get(i, 1)], "particle {i}");
+        assert_eq!(seen[2] == -1.0, i % chunk == 0, "particle {i}");
+    }
+    let bits = |sums: &Sums<f64>| (0..x.len()).map(|i| sums.get(i, 0).to_bits()).collect::<Vec<_>>();
+    let mut again = Sums::default();
+    hood.sum(&cone, &records, &mut again);
+    assert_eq!(bits(&sums), bits(&again));
+}
+
+#[test]
 fn the_sum_is_that_of_the_visited_neighbours() {
     let x = cloud(12);
     let mut hood = Neighbourhood::new(Box::<CellList<f64, 2>>::default(), 0.2).with_periodic(periodic());

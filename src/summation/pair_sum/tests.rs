@@ -188,7 +188,16 @@ fn bits_agree<T: Real, const D: usize>(counts: [usize; D], skin: f64) {
             let (mut list, mut sums) = (SlicedList::default(), Sums::default());
             Threads::new(threads).unwrap().install(|| {
                 list.build(&search, &listed, listed.len(), radius, 0, &everything, set);
-                pair_sum(&water, &list, listed.len(), records.as_slice(), set, &mut sums);
+                let nothing = core::iter::repeat(());
+                pair_sum(
+                    &water,
+                    (&list, listed.len()),
+                    records.as_slice(),
+                    set,
+                    &mut sums,
+                    nothing,
+                    &|_, ()| {},
+                );
             });
             for (at, &bits) in expected.iter().enumerate() {
                 let (i, k) = (at / (D + 4), at % (D + 4));
