@@ -4,7 +4,7 @@ use alluvium::kernel::WendlandC2;
 use alluvium::material::Water;
 use alluvium::mixture::{Mixture, Phase};
 use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
+use alluvium::time::StepSize;
 use alluvium::{Preset, Vector, setup};
 use std::ops::ControlFlow;
 
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     water.add(&setup::fill([0.0; 2], [0.1, 0.2], dx), volume, &still)?;
     let kernel = WendlandC2::new((preset.smoothing_ratio() * dx) as f32)?;
     let mixture = preset.apply(Mixture::<f32, 2>::of_water(kernel, water)).with_gravity(Vector([0.0, -9.81]));
-    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(preset.courant() as f32)?);
+    let mut run = Simulation::new(mixture, preset.leap_frog(), StepSize::courant(preset.courant() as f32)?);
     for k in 0..=8 {
         let _ = run.run_until(0.025 * f64::from(k), |_| ControlFlow::Continue(()))?;
         let foot = run.mixture().probe(&Vector([0.01, 0.01]));

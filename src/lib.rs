@@ -21,7 +21,7 @@
 //!
 //! ```
 //! use alluvium::{Preset, Vector, kernel::WendlandC2, material::Water, mixture::{Mixture, Phase}, setup};
-//! use alluvium::{simulation::Simulation, time::{LeapFrog, StepSize}};
+//! use alluvium::{simulation::Simulation, time::StepSize};
 //! use std::ops::ControlFlow;
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let (dx, preset) = (0.01, Preset::Default);
@@ -32,7 +32,7 @@
 //! water.add(&setup::fill([0.0, 0.0], [0.1, 0.2], dx), dx * dx, &still)?;
 //! let kernel = WendlandC2::new(preset.smoothing_ratio() * dx)?;
 //! let mixture = preset.apply(Mixture::<f64, 2>::of_water(kernel, water)).with_gravity(Vector([0.0, -9.81]));
-//! let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(preset.courant())?);
+//! let mut run = Simulation::new(mixture, preset.leap_frog(), StepSize::courant(preset.courant())?);
 //! let _ = run.run_until(0.1, |_| ControlFlow::Continue(()))?;
 //! let front = run.mixture().water().positions().iter().filter(|x| x[1] > 0.0 && x[0] < 0.4);
 //! assert!((0.16..0.21).contains(&front.map(|x| x[0]).fold(0.0, f64::max)));

@@ -4,6 +4,7 @@ use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::mixture::{ArtificialViscosity, DensityDiffusion, GradientWeight, Mixture, Slip, Wall};
 use crate::real::Real;
+use crate::time::LeapFrog;
 use core::fmt;
 
 /// Numerical choices for water or soil alone. `docs/errata.md` says what goes wrong with the paper's.
@@ -41,6 +42,14 @@ impl Preset {
         match self {
             Self::Paper => 0.3,
             Self::Default => 0.2,
+        }
+    }
+
+    /// The leap-frog (71)–(72): as printed, or with the density of third order.
+    pub fn leap_frog<T: Real>(self) -> LeapFrog<T> {
+        match self {
+            Self::Paper => LeapFrog::new(),
+            Self::Default => LeapFrog::new().with_third_order_density(),
         }
     }
 

@@ -87,7 +87,11 @@ fn differences<T: Real, const D: usize>(cloud: Cloud<D>, conditions: &Conditions
 const COURANT: f64 = 0.15;
 
 fn run<T: Real, const D: usize>(mixture: Both<T, D>, courant: f64) -> Following<T, D> {
-    Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(courant)).expect("a Courant number"))
+    Simulation::new(
+        mixture,
+        LeapFrog::new().with_third_order_density(),
+        StepSize::courant(T::of(courant)).expect("a Courant number"),
+    )
 }
 
 fn steps<T: Real, const D: usize>(run: &mut Following<T, D>, count: usize, threads: usize) {

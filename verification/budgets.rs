@@ -21,8 +21,8 @@ const CASES: [(&str, &str); 4] = [
 pub fn studies() -> Vec<Study> {
     let mut studies = Vec::new();
     for (name, text) in CASES {
-        for preset in ["default", "paper"] {
-            for integrator in ["leap-frog", "velocity-verlet"] {
+        for (preset, leap_frog) in [("default", "leap-frog-ab3"), ("paper", "leap-frog")] {
+            for integrator in [leap_frog, "velocity-verlet"] {
                 studies.push(budget(name, text, preset, integrator));
             }
         }
@@ -39,6 +39,7 @@ fn budget(name: &str, text: &'static str, preset: &'static str, integrator: &'st
         let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));
         let ledger = match case.time.integrator {
             IntegratorChoice::LeapFrog => follow(&case, LeapFrog::new()),
+            IntegratorChoice::LeapFrogAb3 => follow(&case, LeapFrog::new().with_third_order_density()),
             IntegratorChoice::VelocityVerlet => follow(&case, VelocityVerlet::new()),
         };
         measured(&title, &ledger, conditions)

@@ -7,7 +7,7 @@ use alluvium::mixture::{ArtificialViscosity, DensityDiffusion, Mixture, Wall};
 use alluvium::output::Table;
 use alluvium::parallel::Threads;
 use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
+use alluvium::time::StepSize;
 use alluvium::verify::Conditions;
 use alluvium::verify::dam_break::{self, Curve, Reference};
 use alluvium::{Preset, Real, Vector};
@@ -63,7 +63,7 @@ fn step_size<T: Real>(preset: Preset, spacing: f64) -> StepSize<T> {
 fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions) -> Record {
     let scene = Tank::dam_break(spacing, preset);
     let mixture = mutated(scene.mixture::<T>(preset.wall()), conditions);
-    let run = Simulation::new(mixture, LeapFrog::new(), step_size(preset, spacing))
+    let run = Simulation::new(mixture, preset.leap_frog(), step_size(preset, spacing))
         .with_reinitialisation(preset.reinitialise_every());
     // One thread each: the harness runs studies side by side.
     Threads::new(1).expect("a thread").install(|| watch(run, end, conditions))
@@ -73,7 +73,7 @@ fn run<T: Real>(preset: Preset, spacing: f64, end: f64, conditions: &Conditions)
 pub fn slab_record(spacing: f64, depth: f64, conditions: &Conditions) -> Record {
     let scene = Tank::dam_break_slab(spacing, depth, Preset::Default);
     let mixture = mutated(scene.mixture::<f64>(Preset::Default.wall()), conditions);
-    let run = Simulation::new(mixture, LeapFrog::new(), step_size(Preset::Default, spacing));
+    let run = Simulation::new(mixture, Preset::Default.leap_frog(), step_size(Preset::Default, spacing));
     Threads::new(1).expect("a thread").install(|| watch(run, 0.18, conditions))
 }
 
@@ -104,7 +104,7 @@ impl Closing {
         let scene = Tank::dam_break(self.spacing, self.preset);
         let mixture = scene.mixture_without::<f64>(wall, &|k| conditions.is(THIN) && k % 3 != 0);
         let step_size = StepSize::courant(self.courant).expect("up to one");
-        let run = Simulation::new(mixture, LeapFrog::new(), step_size)
+        let run = Simulation::new(mixture, self.preset.leap_frog(), step_size)
             .with_reinitialisation(self.reinitialise_every);
         Threads::new(1).expect("a thread").install(|| watch(run, LEDGER_END, conditions))
     }

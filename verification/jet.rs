@@ -2,11 +2,11 @@
 
 use crate::bands::{Band, WITHIN, measured, range};
 use crate::shared_runs::SharedRuns;
+use alluvium::Preset;
 use alluvium::budget::Account;
 use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
-use alluvium::time::LeapFrog;
 use alluvium::verify::jet::Hole;
 use alluvium::verify::plot::{Chart, Series};
 use alluvium::verify::{Conditions, Level, Measured, Parcel, Study};
@@ -84,14 +84,14 @@ fn dig_by(scheme: &str, conductivity: f64, speed: f64) -> Dig {
 fn run(scheme: &str, conductivity: f64, speed: f64) -> Dig {
     let text = CASE
         .replace("PRESET", "default")
-        .replace("INTEGRATOR", "leap-frog")
+        .replace("INTEGRATOR", "leap-frog-ab3")
         .replace("spacing_m = 0.005", "spacing_m = 0.005\nsmoothing_ratio = 1.5")
         .replace("conductivity_m_per_s = 5.0e-4", &format!("conductivity_m_per_s = {conductivity}"))
         .replace("[mixture]", &format!("[mixture]\ndrag_scheme = \"{scheme}\""))
         .replace("[0.0, -25.0]", &format!("[0.0, {:?}]", -speed));
     let (case, _) = Case::parse("jet", &text).expect("a case");
     let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
-    let mut run = case.simulation(kernel, LeapFrog::new()).expect("a case");
+    let mut run = case.simulation(kernel, Preset::Default.leap_frog()).expect("a case");
     // One thread each: the harness runs studies side by side.
     Threads::new(1).expect("a thread").install(|| {
         run.start().expect("a start");

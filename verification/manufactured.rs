@@ -70,6 +70,11 @@ fn explicit() -> Vec<Study> {
         disordered(),
         water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
         water_in_time("manufactured/water/time/leap-frog", LeapFrog::new, Unpredicted),
+        water_in_time(
+            "manufactured/water/time/leap-frog-ab3",
+            || LeapFrog::new().with_third_order_density(),
+            Unpredicted,
+        ),
         MISTAKES
             .iter()
             .fold(both_in_space::<f64, 2>("manufactured/both/space/2d/f64", &SIDES), |study, (name, _)| {
@@ -80,6 +85,11 @@ fn explicit() -> Vec<Study> {
         printed(),
         both_in_time("manufactured/both/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
         both_in_time("manufactured/both/time/leap-frog", LeapFrog::new, Unpredicted),
+        both_in_time(
+            "manufactured/both/time/leap-frog-ab3",
+            || LeapFrog::new().with_third_order_density(),
+            Unpredicted,
+        ),
     ]
 }
 

@@ -50,6 +50,9 @@ fn of<T: Real>() -> Vec<Study> {
     studies.extend(ready::drag::<T, _>(&name("Ergun"), ergun));
     studies.extend(ready::drag::<T, _>(&name("no drag"), NoDrag));
     studies.extend(ready::integrator::<T, _>(&name("leap-frog"), LeapFrog::new));
+    let third_order_density = || LeapFrog::new().with_third_order_density();
+    studies
+        .extend(ready::integrator::<T, _>(&name("leap-frog, density of third order"), third_order_density));
     studies.extend(ready::integrator::<T, _>(&name("velocity-Verlet"), VelocityVerlet::new));
     studies
 }

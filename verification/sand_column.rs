@@ -3,15 +3,14 @@
 use crate::bands::{Band, WITHIN, measured, range};
 use crate::dam_run::published;
 use crate::shared_runs::SharedRuns;
-use alluvium::Real;
 use alluvium::budget::{Account, Budget};
 use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
-use alluvium::time::LeapFrog;
 use alluvium::verify::plot::{Chart, Series};
 use alluvium::verify::sand_column::{COMPARED, FailureLine, MOVED, Pile, RUN_OUT, Section, run_out};
 use alluvium::verify::{Conditions, Curve, Level, Measured, Study};
+use alluvium::{Preset, Real};
 use std::ops::ControlFlow;
 
 const CASE: &str = include_str!("cases/sand_column.toml");
@@ -177,7 +176,7 @@ const REGULARISED: &str = "[soil.stress_regularisation]\nevery_steps = 200\n\n[[
 /// The case at a spacing \[m\] and an angle of friction \[°\].
 fn text(spacing: f64, angle: f64) -> String {
     CASE.replace("PRESET", "default")
-        .replace("INTEGRATOR", "leap-frog")
+        .replace("INTEGRATOR", "leap-frog-ab3")
         .replace("friction_angle_deg = 19.8", &format!("friction_angle_deg = {angle:.1}"))
         .replace("spacing_m = 0.005", &format!("spacing_m = {spacing}"))
 }
@@ -186,7 +185,7 @@ fn text(spacing: f64, angle: f64) -> String {
 fn run<T: Real>(text: &str, end: f64) -> (Pile, Pile, [Budget<2>; 2]) {
     let (case, _) = Case::parse("sand column", text).expect("a case");
     let kernel = WendlandC2::<T, 2>::new(T::of(case.smoothing_length())).expect("a length");
-    let mut run = case.simulation(kernel, LeapFrog::new()).expect("a case");
+    let mut run = case.simulation(kernel, Preset::Default.leap_frog()).expect("a case");
     // One thread each: the harness runs studies side by side.
     Threads::new(1).expect("a thread").install(|| {
         run.start().expect("a start");

@@ -36,6 +36,8 @@ enum Asked {
 
 pub fn studies() -> Vec<Study> {
     let mut studies = both::<f64, 2, _>("leap-frog/2d/f64", LeapFrog::new(), &[50, 100]);
+    let third_order_density = LeapFrog::new().with_third_order_density();
+    studies.extend(both::<f64, 2, _>("leap-frog-ab3/2d/f64", third_order_density, &[50, 100]));
     studies.extend(both::<f64, 2, _>("verlet/2d/f64", VelocityVerlet::new(), &[50, 100]));
     studies.extend(both::<f32, 2, _>("leap-frog/2d/f32", LeapFrog::new(), &[100]));
     studies.extend(both::<f32, 2, _>("verlet/2d/f32", VelocityVerlet::new(), &[100]));

@@ -3,7 +3,7 @@
 use crate::scene::Tank;
 use alluvium::mixture::{DensityDiffusion, Slip, Wall};
 use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
+use alluvium::time::StepSize;
 use alluvium::verify::{Conditions, Expected, Measured, Study, dam_break};
 use alluvium::{Preset, Real, Vector};
 use std::ops::ControlFlow;
@@ -50,7 +50,7 @@ fn still_water<T: Real>(scene: &Tank<2>, wall: Wall<T, 2>, conditions: &Conditio
         let (across, down) = (dam_break::GRAVITY * angle.sin(), dam_break::GRAVITY * angle.cos());
         mixture = mixture.with_gravity(Vector::of([across, -down]));
     }
-    Simulation::new(mixture, LeapFrog::new(), StepSize::Courant(T::of(0.2)))
+    Simulation::new(mixture, Preset::Default.leap_frog(), StepSize::Courant(T::of(0.2)))
 }
 
 fn rest<T: Real>(wall: Wall<T, 2>, conditions: &Conditions) -> Measured {

@@ -1,11 +1,11 @@
 //! The paper's U-tube against the exact course of its levels (Figs. 9 and 10).
 
 use crate::bands::{Band, WITHIN, measured, range, worst};
+use alluvium::Preset;
 use alluvium::budget::Budget;
 use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
-use alluvium::time::LeapFrog;
 use alluvium::verify::plot::{Chart, Series};
 use alluvium::verify::u_tube::{Levels, exact_difference, initial_difference};
 use alluvium::verify::{Conditions, Level, Measured, Parcel, Study};
@@ -35,7 +35,7 @@ pub fn studies() -> Vec<Study> {
 /// In f64 with the default preset and h = 1.9 Δx.
 pub fn text(conductivity: f64) -> String {
     CASE.replace("PRESET", "default")
-        .replace("INTEGRATOR", "leap-frog")
+        .replace("INTEGRATOR", "leap-frog-ab3")
         .replace("spacing_m = 0.05", "spacing_m = 0.05\nsmoothing_ratio = 1.9")
         .replace("conductivity_m_per_s = 0.01", &format!("conductivity_m_per_s = {conductivity}"))
 }
@@ -44,7 +44,7 @@ pub fn text(conductivity: f64) -> String {
 pub fn follow(text: &str, interval: f64, end: f64) -> Vec<(Levels, Budget<2>)> {
     let (case, _) = Case::parse("U-tube", text).expect("a case");
     let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
-    let mut run = case.simulation(kernel, LeapFrog::new()).expect("a case");
+    let mut run = case.simulation(kernel, Preset::Default.leap_frog()).expect("a case");
     let mut look = |n: usize| {
         let time = n as f64 * interval;
         let _: ControlFlow<()> = run.run_until(time, |_| ControlFlow::Continue(())).expect("a sound run");

@@ -232,6 +232,8 @@ choice! {
     IntegratorChoice {
         /// Leap-frog, (71)–(72).
         LeapFrog = "leap-frog",
+        /// Leap-frog whose density is foretold to third order.
+        LeapFrogAb3 = "leap-frog-ab3",
         /// Velocity-Verlet, kick-drift-kick.
         VelocityVerlet = "velocity-verlet",
     }

@@ -63,7 +63,11 @@ pub(super) fn defaults(preset: Preset) -> Defaults {
             mixture::WallKind::Dynamic => WallKind::Dynamic,
             mixture::WallKind::Extrapolated { .. } | mixture::WallKind::Given => WallKind::Extrapolated,
         },
-        integrator: IntegratorChoice::LeapFrog,
+        integrator: if preset == Preset::Paper {
+            IntegratorChoice::LeapFrog
+        } else {
+            IntegratorChoice::LeapFrogAb3
+        },
         courant: preset.courant(),
     }
 }

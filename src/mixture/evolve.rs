@@ -39,6 +39,29 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         returned
     }
 
+    /// Adds to the density now what the slope of its rate since the last prediction makes of it over `dt` \[s\].
+    pub(crate) fn foresee(&mut self, dt: T, slope: T) {
+        if slope == T::ZERO {
+            return;
+        }
+        let mut before = core::mem::take(&mut self.rate.excess_before);
+        if before.len() == self.len() {
+            let mut excess = core::mem::take(&mut self.now.excess);
+            let rate = &self.rate.excess;
+            parallel::for_each_part(&mut excess, 1, CHUNK, &|first, part: &mut [T]| {
+                for (k, e) in part.iter_mut().enumerate() {
+                    let i = first + k;
+                    if i >= self.wall_particles() || self.is_evolving(i) {
+                        *e += (rate[i] - before[i]) * (slope * dt);
+                    }
+                }
+            });
+            self.now.excess = excess;
+        }
+        before.clone_from(&self.rate.excess);
+        self.rate.excess_before = before;
+    }
+
     /// `φ_target ← φ_base + dt · Dφ/Dt` (69), of water that shares its space.
     fn advance_fraction(&mut self, target: Moment, base: Moment, dt: T) {
         let Some(EvolvingFraction { half, rate }) = &mut self.evolving_fraction else { return };

@@ -25,6 +25,9 @@ pub(crate) struct Rates<T: Real, const D: usize, M> {
     pub(crate) acceleration: Vec<Vector<T, D>>,
     pub(crate) excess: Vec<T>,
     pub(crate) memory: Vec<M>,
+    /// Those of the excess a prediction was made with last; none if the integrator does not ask for them, or
+    /// particles have been added since.
+    pub(crate) excess_before: Vec<T>,
 }
 
 /// What a volume fraction that evolves (69) needs beside its value now.
@@ -50,7 +53,7 @@ impl<T: Real, const D: usize, M> Fields<T, D, M> {
 impl<T: Real, const D: usize, M> Rates<T, D, M> {
     /// Of no particle.
     pub(crate) fn none() -> Self {
-        Self { acceleration: Vec::new(), excess: Vec::new(), memory: Vec::new() }
+        Self { acceleration: Vec::new(), excess: Vec::new(), memory: Vec::new(), excess_before: Vec::new() }
     }
     /// Particles in every array; the smallest number where they differ.
     pub(crate) fn len(&self) -> usize {
@@ -81,6 +84,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         permute(&mut self.rate.acceleration, order);
         permute(&mut self.rate.excess, order);
         permute(&mut self.rate.memory, order);
+        permute(&mut self.rate.excess_before, order);
         permute(&mut self.wall_acceleration, &order[..self.wall_particles]);
         for fields in [&mut self.now, &mut self.half] {
             permute(&mut fields.velocity, order);

@@ -88,6 +88,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         splice(&mut self.rate.acceleration, at, vec![Vector::zero(); count]);
         splice(&mut self.rate.excess, at, vec![T::ZERO; count]);
         splice(&mut self.rate.memory, at, vec![M::Memory::default(); count]);
+        self.rate.excess_before.clear();
         Ok(())
     }
 

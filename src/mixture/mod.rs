@@ -342,6 +342,12 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
         self.exchanged[target as usize] = exchanged;
     }
 
+    fn predict(&mut self, dt: T, slope: T) {
+        self.advance(Moment::Now, Moment::Half, dt);
+        self.soil.phase.foresee(dt, slope);
+        self.water.phase.foresee(dt, slope);
+    }
+
     fn drift(&mut self, moment: Moment, dt: T) {
         self.soil.phase.drift(moment, dt, self.setting.time);
         self.water.phase.drift(moment, dt, self.setting.time);

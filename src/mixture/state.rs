@@ -113,6 +113,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             state.now.len(),
             state.half.len(),
             state.rate.len(),
+            if state.rate.excess_before.is_empty() { count } else { state.rate.excess_before.len() },
         ];
         let walls = self.walls().len();
         let known = self.wall_particles() <= count

@@ -60,7 +60,11 @@ fn cloud<T: Real, const D: usize>(scheme: DragScheme) -> Both<T, D> {
 }
 
 fn run<T: Real, const D: usize>(mixture: Both<T, D>) -> Run<T, D> {
-    Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).unwrap())
+    Simulation::new(
+        mixture,
+        LeapFrog::new().with_third_order_density(),
+        StepSize::courant(T::of(0.2)).unwrap(),
+    )
 }
 
 fn steps<T: Real, const D: usize>(run: &mut Run<T, D>, count: usize, threads: usize) {

@@ -13,7 +13,11 @@ use alluvium::{InstructionSet, Real};
 const STEPS: usize = 200;
 
 fn state_after<T: Real, const D: usize>(mixture: Mixture<T, D>, threads: usize) -> u64 {
-    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).unwrap());
+    let mut run = Simulation::new(
+        mixture,
+        LeapFrog::new().with_third_order_density(),
+        StepSize::courant(T::of(0.2)).unwrap(),
+    );
     Threads::new(threads).unwrap().install(|| {
         for _ in 0..STEPS {
             run.step().unwrap();

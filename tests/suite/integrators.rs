@@ -114,6 +114,102 @@ fn velocity_verlet_is_second_order() {
     is_second_order::<f32>(VelocityVerlet::new(), 80);
 }
 
+/// Sound in one number: `v′ = −ωρ − κv`, `ρ′ = ωv` from v = 0, ρ = 1, with ω = 1; its system keeps the last rate of
+/// the density.
+#[derive(Clone, Debug)]
+struct Sound {
+    drag: f64,
+    velocity: [f64; 2],
+    density: [f64; 2],
+    rates: [f64; 2],
+    before: Option<f64>,
+}
+
+impl Sound {
+    fn new(drag: f64) -> Self {
+        Self { drag, velocity: [0.0; 2], density: [1.0; 2], rates: [0.0; 2], before: None }
+    }
+
+    fn size(&self) -> f64 {
+        self.velocity[0].hypot(self.density[0])
+    }
+}
+
+impl Evolve<f64> for Sound {
+    type Error = Infallible;
+    fn evaluate(&mut self) -> Result<(), Infallible> {
+        let (v, density) = (self.velocity[0], self.density[0]);
+        self.rates = [-density - self.drag * v, v];
+        Ok(())
+    }
+    fn advance(&mut self, target: Moment, base: Moment, dt: f64) {
+        self.velocity[target as usize] = self.velocity[base as usize] + dt * self.rates[0];
+        self.density[target as usize] = self.density[base as usize] + dt * self.rates[1];
+    }
+    fn predict(&mut self, dt: f64, slope: f64) {
+        self.advance(Moment::Now, Moment::Half, dt);
+        let before = self.before.replace(self.rates[1]).unwrap_or(self.rates[1]);
+        self.density[0] += dt * slope * (self.rates[1] - before);
+    }
+    fn drift(&mut self, _: Moment, _: f64) {}
+}
+
+/// By how much each of many steps of this length makes a vibration larger, relative.
+fn growth(mut integrator: LeapFrog<f64>, drag: f64, dt: f64) -> f64 {
+    let mut sound = Sound::new(drag);
+    let mut steps = |count: usize| {
+        for _ in 0..count {
+            let Ok(()) = integrator.step(&mut sound, dt);
+        }
+        sound.size()
+    };
+    let (begin, count) = (steps(2000), 1000);
+    (steps(count) / begin).powf(1.0 / count as f64) - 1.0
+}
+
+#[test]
+fn a_vibration_gains_with_the_density_as_printed_and_loses_with_that_of_third_order() {
+    let foreseen = LeapFrog::new().with_third_order_density();
+    for dt in [0.05_f64, 0.1] {
+        let fourth = dt.powi(4);
+        let (printed, third_order) = (growth(LeapFrog::new(), 0.0, dt), growth(foreseen, 0.0, dt));
+        assert!((printed / (fourth / 4.0) - 1.0).abs() < 0.06, "{printed:e} at {dt}");
+        assert!((third_order / (fourth / -16.0) - 1.0).abs() < 0.06, "{third_order:e} at {dt}");
+    }
+    assert!(growth(foreseen, 0.0, 0.68) < 0.0 && growth(foreseen, 0.0, 0.71) > 0.0);
+}
+
+#[test]
+fn drag_is_borne_as_far_with_the_density_of_third_order() {
+    // Without sound: the density follows and does not answer.
+    for integrator in [LeapFrog::new(), LeapFrog::new().with_third_order_density()] {
+        let (dt, drag) = (1e-6, 1e6);
+        assert!(growth(integrator, 0.98 * drag, dt) < 1e-5 && growth(integrator, 1.02 * drag, dt) > 1e-3);
+    }
+}
+
+#[test]
+fn leap_frog_with_the_density_of_third_order_is_second_order_with_any_steps() {
+    let error = |steps: Steps, count: usize| {
+        let mut integrator = LeapFrog::new().with_third_order_density();
+        let mut sound = Sound::new(0.6);
+        let total: f64 = (0..count).map(|k| steps.length(k, count)).sum();
+        for k in 0..count {
+            let Ok(()) = integrator.step(&mut sound, END * steps.length(k, count) / total);
+        }
+        // ρ″ = −ρ − 0.6 ρ′ from ρ = 1, ρ′ = 0.
+        let (damping, omega) = (0.3, 0.91_f64.sqrt());
+        let (sin, cos) = (omega * END).sin_cos();
+        let decay = (-damping * END).exp();
+        let density = decay * (cos + damping / omega * sin);
+        (sound.density[0] - density).hypot(sound.velocity[0] + decay * sin / omega)
+    };
+    for steps in [Steps::Even, Steps::Growing, Steps::Ragged] {
+        let order = (error(steps, 200) / error(steps, 800)).log2() / 2.0;
+        assert!((order - 2.0).abs() <= 0.15, "{steps:?}: order {order}");
+    }
+}
+
 /// Leap-frog with one of two mistakes.
 #[derive(Clone, Debug)]
 struct WrongLeapFrog {

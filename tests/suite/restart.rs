@@ -45,6 +45,7 @@ fn resumes<T: Real, I: Integrator<T>>(wall: &Wall<T, 2>, integrator: &I) {
 fn a_resumed_run_has_the_same_bits() {
     for wall in [Wall::dynamic(), Wall::extrapolated(Slip::FreeSlip)] {
         resumes::<f64, _>(&wall, &LeapFrog::new());
+        resumes::<f64, _>(&wall, &LeapFrog::new().with_third_order_density());
         resumes::<f64, _>(&wall, &VelocityVerlet::new());
     }
     resumes::<f32, _>(&Wall::extrapolated(Slip::NoSlip), &LeapFrog::new());

@@ -51,6 +51,7 @@ fn kernel<T: Real + Component, const D: usize>(case: &Case) -> Connected {
 fn integrator<T: Real + Component, const D: usize, K: Kernel<T, D>>(case: &Case, kernel: K) -> Connected {
     match case.time.integrator {
         IntegratorChoice::LeapFrog => simulated(case, kernel, LeapFrog::new()),
+        IntegratorChoice::LeapFrogAb3 => simulated(case, kernel, LeapFrog::new().with_third_order_density()),
         IntegratorChoice::VelocityVerlet => simulated(case, kernel, VelocityVerlet::new()),
     }
 }
