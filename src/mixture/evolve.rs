@@ -39,26 +39,83 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
         returned
     }
 
-    /// Adds to the density now what the slope of its rate since the last prediction makes of it over `dt` \[s\].
-    pub(crate) fn foresee(&mut self, dt: T, slope: T) {
-        if slope == T::ZERO {
-            return;
+    /// [`advance`](Self::advance) to half the step over `kick` \[s\], [`drift`](Self::drift) over `dt`, and the fields at
+    /// the whole step, the density with the slope of its rate: chunk by chunk, which stays in the cache meanwhile.
+    /// Returns what the law's return took at half the step and at the whole \[J\].
+    pub(crate) fn leap(&mut self, kick: T, dt: T, slope: T, start: f64) -> [Works; 2] {
+        let whole = T::of(0.5) * dt;
+        let [mut half, mut now] = [core::mem::take(&mut self.half), core::mem::take(&mut self.now)];
+        self.leap_positions(&mut half.velocity, &mut now.velocity, [kick, dt, whole]);
+        self.leap_densities(&mut half.excess, &mut now.excess, [kick, whole, slope]);
+        let mut returned = [Works::default(); 2];
+        if size_of::<M::Memory>() > 0 {
+            returned[0] = self.advance_memory(&mut half.memory, None, kick);
+            returned[1] = self.advance_memory(&mut now.memory, Some(&half.memory), whole);
         }
+        (self.half, self.now) = (half, now);
+        self.advance_fraction(Moment::Half, Moment::Half, kick);
+        self.advance_fraction(Moment::Now, Moment::Half, whole);
+        self.advance_hold(Moment::Half, Moment::Half, kick);
+        if self.walls().iter().any(super::Wall::moves) {
+            self.move_walls(dt, start);
+        }
+        self.advance_hold(Moment::Now, Moment::Half, whole);
+        returned
+    }
+
+    /// Velocities at half the step (71), positions (72), velocities at the whole step, of all but walls.
+    fn leap_positions(&mut self, half: &mut [Vector<T, D>], now: &mut [Vector<T, D>], steps: [T; 3]) {
+        let [by, dt, whole] = steps;
+        let walls = self.wall_particles();
+        let acceleration = &self.rate.acceleration;
+        let chunks = half.chunks_mut(CHUNK).zip(now.chunks_mut(CHUNK)).zip(self.position.chunks_mut(CHUNK));
+        let mut chunks: Vec<_> = chunks.collect();
+        parallel::for_each_part(&mut chunks, 1, 1, &|n, chunk: &mut [((&mut [_], &mut [_]), &mut [_])]| {
+            let ((half, now), x) = &mut chunk[0];
+            let rate = &acceleration[walls.max(n * CHUNK)..];
+            let [(_, half), (_, now), (_, x)] = [half, now, x].map(|part| split(part, walls, n * CHUNK));
+            kick(half, None, rate, by);
+            kick(x, None, half, dt);
+            kick(now, Some(half), rate, whole);
+        });
+    }
+
+    /// Densities at half the step and at the whole, of all but walls that have their fields given.
+    fn leap_densities(&mut self, half: &mut [T], now: &mut [T], [by, whole, slope]: [T; 3]) {
+        let rates = &self.rate.excess;
         let mut before = core::mem::take(&mut self.rate.excess_before);
-        if before.len() == self.len() {
-            let mut excess = core::mem::take(&mut self.now.excess);
-            let rate = &self.rate.excess;
-            parallel::for_each_part(&mut excess, 1, CHUNK, &|first, part: &mut [T]| {
-                for (k, e) in part.iter_mut().enumerate() {
-                    let i = first + k;
-                    if i >= self.wall_particles() || self.is_evolving(i) {
-                        *e += (rate[i] - before[i]) * (slope * dt);
-                    }
-                }
-            });
-            self.now.excess = excess;
+        if slope == T::ZERO {
+            before.clear();
+        } else if before.len() != rates.len() {
+            before.clone_from(rates);
         }
-        before.clone_from(&self.rate.excess);
+        let mut chunks_before = before.chunks_mut(CHUNK);
+        let mut chunks: Vec<_> = half
+            .chunks_mut(CHUNK)
+            .zip(now.chunks_mut(CHUNK))
+            .map(|(half, now)| (half, now, chunks_before.next()))
+            .collect();
+        type Chunk<'a, T> = (&'a mut [T], &'a mut [T], Option<&'a mut [T]>);
+        parallel::for_each_part(&mut chunks, 1, 1, &|n, chunk: &mut [Chunk<T>]| {
+            let (half, now, before) = &mut chunk[0];
+            let first = n * CHUNK;
+            let walls = self.wall_particles().saturating_sub(first).min(half.len());
+            let given = |k: &usize| !self.is_evolving(first + k);
+            let kept: Vec<_> = (0..walls).filter(given).map(|k| (k, half[k], now[k])).collect();
+            let rates = &rates[first..first + half.len()];
+            kick(half, None, rates, by);
+            kick(now, Some(half), rates, whole);
+            if let Some(before) = before {
+                for ((e, before), &rate) in now.iter_mut().zip(&mut **before).zip(rates) {
+                    *e += (rate - *before) * (slope * whole);
+                    *before = rate;
+                }
+            }
+            for (k, kept_half, kept_now) in kept {
+                (half[k], now[k]) = (kept_half, kept_now);
+            }
+        });
+        drop(chunks);
         self.rate.excess_before = before;
     }
 

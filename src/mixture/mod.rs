@@ -67,7 +67,7 @@ pub use wall::{Slip, Wall, WallKind};
 #[cfg(feature = "case")]
 pub(crate) use {drag::RECONSTRUCTED_HASTE, phase::LEAST_PORES};
 
-use crate::budget::{Account, Exchange};
+use crate::budget::{Account, Exchange, Works};
 use crate::kernel::{Kernel, WendlandC2};
 use crate::material::{Absent, DragLaw, Material, Water};
 use crate::neighbours::CellList;
@@ -264,6 +264,24 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         self.soil.exchange_rate + self.water.exchange_rate
     }
 
+    /// The same with what implicit drag does over a step of `dt` \[s\] from the fields `base`.
+    fn rate_of_exchange(&self, base: Moment, dt: T) -> Exchange<D> {
+        #[cfg(feature = "implicit")]
+        return self.exchange_rate() + self.drag_exchange(base, dt);
+        #[cfg(not(feature = "implicit"))]
+        {
+            let _ = (base, dt);
+            self.exchange_rate()
+        }
+    }
+
+    /// Books at the moment `target` what was exchanged, and returned by laws, since the moment `base`.
+    fn book(&mut self, target: Moment, base: Moment, exchanged: Exchange<D>, returned: Works) {
+        let mut exchanged = self.exchanged[base as usize] + exchanged;
+        exchanged.taken = exchanged.taken + returned;
+        self.exchanged[target as usize] = exchanged;
+    }
+
     /// Bytes held in particle arrays, lists and buffers.
     pub fn bytes(&self) -> usize {
         self.soil.bytes() + self.water.bytes() + self.coupling.bytes()
@@ -333,19 +351,21 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> E
     }
 
     fn advance(&mut self, target: Moment, base: Moment, dt: T) {
-        let rate = self.exchange_rate();
-        #[cfg(feature = "implicit")]
-        let rate = rate + self.drag_exchange(base, dt);
+        let rate = self.rate_of_exchange(base, dt);
         let returned = self.soil.phase.advance(target, base, dt) + self.water.phase.advance(target, base, dt);
-        let mut exchanged = self.exchanged[base as usize] + rate * dt.as_f64();
-        exchanged.taken = exchanged.taken + returned;
-        self.exchanged[target as usize] = exchanged;
+        self.book(target, base, rate * dt.as_f64(), returned);
     }
 
-    fn predict(&mut self, dt: T, slope: T) {
-        self.advance(Moment::Now, Moment::Half, dt);
-        self.soil.phase.foresee(dt, slope);
-        self.water.phase.foresee(dt, slope);
+    fn leap(&mut self, kick: T, dt: T, slope: T) {
+        let half = T::of(0.5) * dt;
+        let rate = self.rate_of_exchange(Moment::Half, kick);
+        let time = self.setting.time;
+        let [soil, water] =
+            [self.soil.phase.leap(kick, dt, slope, time), self.water.phase.leap(kick, dt, slope, time)];
+        self.setting.time += dt.as_f64();
+        self.book(Moment::Half, Moment::Half, rate * kick.as_f64(), soil[0] + water[0]);
+        let rate = self.rate_of_exchange(Moment::Half, half);
+        self.book(Moment::Now, Moment::Half, rate * half.as_f64(), soil[1] + water[1]);
     }
 
     fn drift(&mut self, moment: Moment, dt: T) {

@@ -56,11 +56,9 @@ impl<T: Real> Integrator<T> for LeapFrog<T> {
         let previous = self.previous.unwrap_or(dt);
         let kick = half * (previous + dt);
         system.complete(Moment::Half, kick)?;
-        system.advance(Moment::Half, Moment::Half, kick); // (71)
-        system.drift(Moment::Half, dt); // (72)
         // After a very short step a slope is mostly rounding: it is not taken further than it was seen.
         let slope = if self.foresees { T::of(THIRD_ORDER) * (dt / previous).min(T::ONE) } else { T::ZERO };
-        system.predict(half * dt, slope);
+        system.leap(kick, dt, slope); // (71), (72)
         self.previous = Some(dt);
         Ok(())
     }

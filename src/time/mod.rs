@@ -44,15 +44,19 @@ pub trait Evolve<T: Real> {
     }
     /// `X_target ← X_base + dt · DX/Dt`, made admissible; positions stay.
     fn advance(&mut self, target: Moment, base: Moment, dt: T);
-    /// `X_now ← X_half + dt · DX/Dt`: the fields at the next whole step, foretold from those half a step before. Of
-    /// fields that swing against the velocity, as density does, a system may keep the rates of the last prediction and
-    /// take `DX/Dt + slope · (DX/Dt − last DX/Dt)`; the others, and a system that keeps none, take DX/Dt.
-    fn predict(&mut self, dt: T, slope: T) {
-        let _ = slope;
-        self.advance(Moment::Now, Moment::Half, dt);
-    }
     /// `x ← x + dt · v_moment` and `t ← t + dt` \[s\].
     fn drift(&mut self, moment: Moment, dt: T);
+    /// What leap-frog does with rates: fields to half the step over `kick` \[s\] (71), positions over `dt` (72), and the
+    /// fields at the next whole step foretold, `X_now ← X_half + ½dt · DX/Dt`.
+    ///
+    /// Of fields that swing against the velocity, as density does, a system may keep the rates of one leap to the next
+    /// and foretell with `DX/Dt + slope · (DX/Dt − last DX/Dt)`; and one of large arrays may go over them once.
+    fn leap(&mut self, kick: T, dt: T, slope: T) {
+        let _ = slope;
+        self.advance(Moment::Half, Moment::Half, kick);
+        self.drift(Moment::Half, dt);
+        self.advance(Moment::Now, Moment::Half, T::of(0.5) * dt);
+    }
 }
 
 /// A way through one time step.

@@ -146,10 +146,11 @@ impl Evolve<f64> for Sound {
         self.velocity[target as usize] = self.velocity[base as usize] + dt * self.rates[0];
         self.density[target as usize] = self.density[base as usize] + dt * self.rates[1];
     }
-    fn predict(&mut self, dt: f64, slope: f64) {
-        self.advance(Moment::Now, Moment::Half, dt);
+    fn leap(&mut self, kick: f64, dt: f64, slope: f64) {
+        self.advance(Moment::Half, Moment::Half, kick);
+        self.advance(Moment::Now, Moment::Half, 0.5 * dt);
         let before = self.before.replace(self.rates[1]).unwrap_or(self.rates[1]);
-        self.density[0] += dt * slope * (self.rates[1] - before);
+        self.density[0] += 0.5 * dt * slope * (self.rates[1] - before);
     }
     fn drift(&mut self, _: Moment, _: f64) {}
 }
