@@ -8,8 +8,8 @@ use alluvium::neighbours::CellList;
 use alluvium::parallel::Threads;
 use alluvium::simulation::Simulation;
 use alluvium::summation::{Cloud, Neighbourhood};
-use alluvium::time::{LeapFrog, StepSize};
-use alluvium::{InstructionSet, Real, Vector, setup};
+use alluvium::time::StepSize;
+use alluvium::{InstructionSet, Preset, Real, Vector, setup};
 use cpu_time::ThreadTime;
 use criterion::Criterion;
 use criterion::measurement::{Measurement, ValueFormatter, WallTime};
@@ -153,7 +153,7 @@ impl<const D: usize> DamBreak<D> {
     /// The run: artificial viscosity 0.05, diffusion of the true density 0.1, Courant number 0.2.
     pub fn simulation<T: Real>(&self, set: InstructionSet) -> Simulation<T, D> {
         let step_size = StepSize::courant(T::of(0.2)).expect("a Courant number");
-        Simulation::new(self.mixture(set), LeapFrog::new(), step_size)
+        Simulation::new(self.mixture(set), Preset::Default.leap_frog(), step_size)
     }
 
     /// The same with sand in the place of water: θ = 19.8°, ψ = 0, return mapping.
@@ -174,7 +174,7 @@ impl<const D: usize> DamBreak<D> {
         });
         let mixture =
             Mixture::of_soil(self.kernel(), sand).with_gravity(self.gravity()).with_instruction_set(set);
-        Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).expect("a Courant number"))
+        Simulation::new(mixture, Preset::Default.leap_frog(), StepSize::courant(T::of(0.2)).expect("a Courant number"))
     }
 
     fn kernel<T: Real>(&self) -> WendlandC2<T, D> {
