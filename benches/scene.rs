@@ -174,7 +174,11 @@ impl<const D: usize> DamBreak<D> {
         });
         let mixture =
             Mixture::of_soil(self.kernel(), sand).with_gravity(self.gravity()).with_instruction_set(set);
-        Simulation::new(mixture, Preset::Default.leap_frog(), StepSize::courant(T::of(0.2)).expect("a Courant number"))
+        Simulation::new(
+            mixture,
+            Preset::Default.leap_frog(),
+            StepSize::courant(T::of(0.2)).expect("a Courant number"),
+        )
     }
 
     fn kernel<T: Real>(&self) -> WendlandC2<T, D> {

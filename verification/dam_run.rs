@@ -102,6 +102,8 @@ impl Closing {
     fn run_anew(self, conditions: &Conditions) -> Record {
         let wall = if self.dynamic { Wall::dynamic() } else { self.preset.wall() };
         let scene = Tank::dam_break(self.spacing, self.preset);
+        // Single drops come as high as 1.2 m.
+        let scene = Tank { tank: [scene.tank[0], 8.0 * dam_break::HEIGHT], ..scene };
         let mixture = scene.mixture_without::<f64>(wall, &|k| conditions.is(THIN) && k % 3 != 0);
         let step_size = StepSize::courant(self.courant).expect("up to one");
         let run = Simulation::new(mixture, self.preset.leap_frog(), step_size)
