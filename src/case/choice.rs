@@ -232,7 +232,7 @@ choice! {
     IntegratorChoice {
         /// Leap-frog, (71)–(72).
         LeapFrog = "leap-frog",
-        /// Leap-frog whose density is foretold to third order.
+        /// Leap-frog whose density is foretold as by Adams and Bashforth's method of third order.
         LeapFrogAb3 = "leap-frog-ab3",
         /// Velocity-Verlet, kick-drift-kick.
         VelocityVerlet = "velocity-verlet",

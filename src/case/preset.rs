@@ -4,6 +4,7 @@ use super::choice::{DiffusionKind, IntegratorChoice, KernelChoice, WallKind};
 use crate::material::{Cone, Plasticity};
 use crate::mixture::{self, DensityDiffusion};
 use crate::preset::Preset;
+use crate::time::LeapFrog;
 
 /// What a case gets for the keys it leaves out.
 pub(super) struct Defaults {
@@ -63,7 +64,7 @@ pub(super) fn defaults(preset: Preset) -> Defaults {
             mixture::WallKind::Dynamic => WallKind::Dynamic,
             mixture::WallKind::Extrapolated { .. } | mixture::WallKind::Given => WallKind::Extrapolated,
         },
-        integrator: if preset == Preset::Paper {
+        integrator: if preset.leap_frog::<f64>() == LeapFrog::new() {
             IntegratorChoice::LeapFrog
         } else {
             IntegratorChoice::LeapFrogAb3

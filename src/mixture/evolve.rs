@@ -100,6 +100,7 @@ impl<T: Real, const D: usize, M: Material<T>> Phase<T, D, M> {
             let (half, now, before) = &mut chunk[0];
             let first = n * CHUNK;
             let walls = self.wall_particles().saturating_sub(first).min(half.len());
+            // Walls whose fields are given are gone over with the others, in plain vector code, and get theirs back.
             let given = |k: &usize| !self.is_evolving(first + k);
             let kept: Vec<_> = (0..walls).filter(given).map(|k| (k, half[k], now[k])).collect();
             let rates = &rates[first..first + half.len()];
