@@ -18,12 +18,35 @@ const CASES: [(&str, &str); 4] = [
     ("jet", include_str!("cases/jet.toml")),
 ];
 
+const PLASTICITY: &str =
+    "λ̇ where F ≥ 0, cracking and scaling back at each half step take more energy than there is";
+const DIFFUSION: &str = "density diffusion of the partial density moves mass across the surface of the soil";
+/// Budgets that do not close, how much of the energy they leave unexplained, and why.
+const OPEN: [(&str, f64, &str); 7] = [
+    (
+        "budget/dam break/paper/leap-frog",
+        2.2e-2,
+        "at a Courant number of 0.3 leap-frog feeds spray at h = Δx",
+    ),
+    ("budget/sand column/paper/leap-frog", 0.45, PLASTICITY),
+    ("budget/sand column/paper/velocity-verlet", 0.33, PLASTICITY),
+    ("budget/U-tube/paper/leap-frog", 1.0, DIFFUSION),
+    ("budget/U-tube/paper/velocity-verlet", 1.0, DIFFUSION),
+    ("budget/jet/paper/leap-frog", 0.16, DIFFUSION),
+    ("budget/jet/paper/velocity-verlet", 0.09, DIFFUSION),
+];
+
 pub fn studies() -> Vec<Study> {
     let mut studies = Vec::new();
     for (name, text) in CASES {
         for (preset, leap_frog) in [("default", "leap-frog-ab3"), ("paper", "leap-frog")] {
             for integrator in [leap_frog, "velocity-verlet"] {
-                studies.push(budget(name, text, preset, integrator));
+                let study = budget(name, text, preset, integrator);
+                let open = OPEN.iter().find(|(name, ..)| *name == study.name);
+                studies.push(match open {
+                    Some(&(_, largest, why)) => study.falls_short(Expected::Bound { largest }, why),
+                    None => study,
+                });
             }
         }
     }
@@ -33,7 +56,7 @@ pub fn studies() -> Vec<Study> {
 fn budget(name: &str, text: &'static str, preset: &'static str, integrator: &'static str) -> Study {
     let title = format!("budget/{name}/{preset}/{integrator}");
     let claim = "the ledger closes: what no account explains is below two thousandths of the energy that was there and \
-                 came in (values: that part at the worst instant)";
+                 came in (values: that part at the worst instant; of the time, what did not run)";
     Study::new(title.clone(), claim, move |conditions| {
         let text = text.replace("PRESET", preset).replace("INTEGRATOR", integrator);
         let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));
@@ -56,6 +79,8 @@ struct Ledger {
     budgets: Vec<Budget<2>>,
     /// Why it ended before its time.
     stopped: Option<String>,
+    /// The part of the time it ran \[-\].
+    ran: f64,
 }
 
 fn follow(case: &Case, integrator: impl Integrator<f64>) -> Ledger {
@@ -68,16 +93,16 @@ fn follow(case: &Case, integrator: impl Integrator<f64>) -> Ledger {
         for instant in 1..=100 {
             let until = case.end_time * f64::from(instant) / 100.0;
             if let Err(error) = run.run_until(until, |_| ControlFlow::<()>::Continue(())) {
-                return Ledger { budgets, stopped: Some(error.to_string()) };
+                return Ledger { budgets, stopped: Some(error.to_string()), ran: run.time() / case.end_time };
             }
             budgets.push(run.budget());
         }
-        Ledger { budgets, stopped: None }
+        Ledger { budgets, stopped: None, ran: 1.0 }
     })
 }
 
 fn measured(title: &str, ledger: &Ledger, conditions: &Conditions) -> Measured {
-    let Ledger { budgets, stopped } = ledger;
+    let Ledger { budgets, stopped, ran } = ledger;
     let start = &budgets[0];
     // Energy in gravity counts from where it ends; what a nozzle brings counts as it comes.
     let released = |budget: &Budget<2>| {
@@ -90,7 +115,7 @@ fn measured(title: &str, ledger: &Ledger, conditions: &Conditions) -> Measured {
     let unexplained = |budget: &Budget<2>| (budget.closure(start) - left_out(budget)).abs() / largest;
     let worst = budgets.iter().map(unexplained).fold(0.0, f64::max);
     let end = budgets.last().unwrap_or(start);
-    let mut measured = Measured::value(if stopped.is_some() { f64::NAN } else { worst });
+    let mut measured = Measured::values([("unexplained", worst), ("time not run", 1.0 - ran)]);
     if let Some(stopped) = stopped {
         measured = measured.note(format!("stopped: {stopped}"));
     }

@@ -36,7 +36,10 @@ pub fn studies() -> Vec<Study> {
         closure(Closing { courant: 0.1, ..PAPER }, 2e-3),
         full(at(REINITIALISED, MIDDLE), 2e-3),
         full(at(REINITIALISED, FINE), 2e-3),
-        full(at(PAPER, FINE), 2e-3),
+        full(at(PAPER, FINE), 2e-3).falls_short(
+            Expected::Bound { largest: 1.1e-2 },
+            "leap-frog as printed feeds spray by (ωΔt)⁴/4 a step",
+        ),
         full(at(Closing { courant: 0.1, ..PAPER }, FINE), 2e-3),
         tightness(HALF_STEP),
         tightness(at(EXTRAPOLATED, MIDDLE)).level(Level::Full),

@@ -1,6 +1,6 @@
 //! What a long run has measured so far, line by line, so that it can go on where it was stopped.
 
-use alluvium::verify::{Measured, Outcome, Point};
+use alluvium::verify::{Measured, Outcome, Point, Standing};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -77,11 +77,18 @@ fn outcome(line: &Value) -> Option<Outcome> {
         notes: texts("notes")?,
         pictures: texts("pictures")?,
     };
+    let is = |name: &str| line.get(name)?.as_bool();
+    let standing = match (is("met")?, is("falls short")?) {
+        (true, _) => Standing::Met,
+        (false, true) => Standing::FallsShort,
+        (false, false) => Standing::Missed,
+    };
     Some(Outcome {
         study: text("study")?,
         mutant: text("mutant"),
-        measured: line.get("finished")?.as_bool()?.then_some(measured),
-        met: line.get("met")?.as_bool()?,
+        measured: is("finished")?.then_some(measured),
+        standing,
         sentence: text("sentence")?,
+        seconds: line.get("seconds")?.as_f64()?,
     })
 }

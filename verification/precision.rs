@@ -26,7 +26,9 @@ pub fn studies() -> Vec<Study> {
         study("h = 2 dx", Motion::Water, &[12, 24, 48], 2.0, 1e-3).level(Level::Quick),
         study("h = 2 dx/fine", Motion::Water, &[16, 32, 64, 96], 2.0, 1e-3).level(Level::Full),
         // At h = dx disorder grows, out of nothing but rounding: by 64 particles single precision is lost.
-        study("h = dx", Motion::Water, &[16, 32, 48], 1.0, 0.1).level(Level::Full),
+        study("h = dx", Motion::Water, &[16, 32, 48], 1.0, 0.1)
+            .level(Level::Full)
+            .falls_short(Expected::Bound { largest: 0.17 }, "disorder grows out of rounding"),
         study("both/h = 2 dx", Motion::Both, &[12, 24], 2.0, 1e-3).level(Level::Quick),
         study("both/h = 2 dx/fine", Motion::Both, &[16, 32, 48], 2.0, 1e-3).level(Level::Full),
     ]

@@ -24,8 +24,10 @@ pub fn studies() -> Vec<Study> {
         sliding::<f64>("soil/gliding block/f64", 0.0).mutant(ROUGH),
         sliding::<f64>("soil/sliding block/f64", 0.2).mutant(GLIDING).mutant(ROUGH),
         sliding::<f32>("soil/sliding block/f32", 0.2).mutant(GLIDING),
-        // Known to fail: decision 12.
-        sliding::<f64>("soil/fluttering block/f64", FRICTION),
+        sliding::<f64>("soil/fluttering block/f64", FRICTION).falls_short(
+            Expected::Value { value: 0.044, tolerance: 0.01 },
+            "the block swings and sticks: decision 12",
+        ),
         resting::<f64>("soil/resting block/f64"),
         resting::<f32>("soil/resting block/f32"),
     ]

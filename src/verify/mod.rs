@@ -58,4 +58,4 @@ pub use parcel::Parcel;
 pub use quadrature::integrate;
 pub use report::Report;
 pub use richardson::{Richardson, gci_of_two};
-pub use study::{Conditions, Level, Outcome, Study};
+pub use study::{Conditions, Level, Outcome, Shortfall, Standing, Study};

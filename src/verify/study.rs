@@ -2,6 +2,7 @@
 
 use super::expected::{Expected, Measured};
 use core::panic::AssertUnwindSafe;
+use std::time::Instant;
 
 /// When a study runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,6 +27,15 @@ impl Conditions<'_> {
     }
 }
 
+/// How far a study that misses its claim is known to come.
+#[derive(Clone, Debug)]
+pub struct Shortfall {
+    /// What it does reach.
+    pub reaches: Expected,
+    /// Why not what is claimed.
+    pub why: String,
+}
+
 type Run = dyn Fn(&Conditions) -> Measured + Send + Sync;
 
 /// A claim, how to measure it, and what has to come out.
@@ -44,6 +54,8 @@ pub struct Study {
     pub expected: Expected,
     /// Mistakes under which it must fail.
     pub mutants: Vec<&'static str>,
+    /// How far it is known to come, where it misses what is claimed.
+    pub shortfall: Option<Shortfall>,
     run: Box<Run>,
 }
 
@@ -71,6 +83,7 @@ impl Study {
             level: Level::Quick,
             expected: Expected::Identical,
             mutants: Vec::new(),
+            shortfall: None,
             run: Box::new(run),
         }
     }
@@ -100,6 +113,13 @@ impl Study {
         self
     }
 
+    /// It is known to miss what it expects, and to reach this: coming less far is a failure, and so is meeting the
+    /// claim after all, as then this is no longer so.
+    pub fn falls_short(mut self, reaches: Expected, why: impl Into<String>) -> Self {
+        self.shortfall = Some(Shortfall { reaches, why: why.into() });
+        self
+    }
+
     /// Runs it as it is.
     pub fn run(&self) -> Outcome {
         self.run_under(None)
@@ -112,21 +132,59 @@ impl Study {
     }
 
     fn run_under(&self, mutant: Option<&str>) -> Outcome {
+        let begin = Instant::now();
         let run = AssertUnwindSafe(|| (self.run)(&Conditions { mutant }));
         let result = std::panic::catch_unwind(run);
-        let (measured, met, sentence) = match result {
+        let seconds = begin.elapsed().as_secs_f64();
+        let (measured, standing, sentence) = match result {
             Ok(measured) => {
-                let (met, sentence) = self.expected.judge(&measured);
-                (Some(measured), met, sentence)
+                let (standing, sentence) = self.judge(&measured);
+                (Some(measured), standing, sentence)
             }
             Err(panic) => {
                 let text = panic.downcast_ref::<String>().map(String::as_str);
                 let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
-                (None, false, format!("did not finish: {text}"))
+                (None, Standing::Missed, format!("did not finish: {text}"))
             }
         };
-        Outcome { study: self.name.clone(), mutant: mutant.map(str::to_owned), measured, met, sentence }
+        Outcome {
+            study: self.name.clone(),
+            mutant: mutant.map(str::to_owned),
+            measured,
+            standing,
+            sentence,
+            seconds,
+        }
     }
+
+    fn judge(&self, measured: &Measured) -> (Standing, String) {
+        let (met, sentence) = self.expected.judge(measured);
+        let Some(Shortfall { reaches, why }) = &self.shortfall else {
+            return (if met { Standing::Met } else { Standing::Missed }, sentence);
+        };
+        let (reached, _) = reaches.judge(measured);
+        if met {
+            (Standing::Missed, format!("{sentence}; met, though said to fall short"))
+        } else if reached {
+            (Standing::FallsShort, format!("{sentence}; known to fall short: {why}"))
+        } else {
+            (
+                Standing::Missed,
+                format!("{sentence}; known to fall short, but not by so much ({reaches}): {why}"),
+            )
+        }
+    }
+}
+
+/// Where an outcome stands beside its claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// As claimed.
+    Met,
+    /// Not as claimed, but as far as it is [known](Study::falls_short) to come.
+    FallsShort,
+    /// Not as claimed.
+    Missed,
 }
 
 /// What came out of a study.
@@ -139,23 +197,30 @@ pub struct Outcome {
     /// The numbers; none if it did not finish.
     pub measured: Option<Measured>,
     /// Whether they were as expected.
-    pub met: bool,
+    pub standing: Standing,
     /// What to say about it.
     pub sentence: String,
+    /// How long it took \[s\].
+    pub seconds: f64,
 }
 
 impl Outcome {
     /// The study, unchanged, measured what it expects.
     pub fn passed(&self) -> bool {
-        self.mutant.is_none() && self.met
+        self.mutant.is_none() && self.standing == Standing::Met
     }
-    /// The mutant was noticed: the study finished, and did not measure what it expects.
+    /// The study, unchanged, misses its claim by as much as is known.
+    pub fn falls_short(&self) -> bool {
+        self.mutant.is_none() && self.standing == Standing::FallsShort
+    }
+    /// The mutant was noticed: the study finished, and measured neither what it expects nor what it is known to reach.
     pub fn caught(&self) -> bool {
-        self.mutant.is_some() && self.measured.is_some() && !self.met
+        self.mutant.is_some() && self.measured.is_some() && self.standing == Standing::Missed
     }
-    /// [`passed`](Self::passed), or [`caught`](Self::caught) under a mutant.
+    /// Nothing new: [`passed`](Self::passed) or [`falls_short`](Self::falls_short), or [`caught`](Self::caught) under a
+    /// mutant.
     pub fn is_good(&self) -> bool {
-        self.passed() || self.caught()
+        self.passed() || self.falls_short() || self.caught()
     }
 }
 
@@ -175,8 +240,34 @@ mod tests {
         assert!(study().run().passed() && !study().run().caught());
         assert!(study().run_mutant("wrong").caught());
         let harmless = study().run_mutant("harmless");
-        assert!(harmless.met && !harmless.is_good());
+        assert!(harmless.standing == Standing::Met && !harmless.is_good());
         let broken = study().run_mutant("breaks");
         assert!(!broken.is_good() && broken.sentence == "did not finish: broken 7");
+    }
+
+    #[test]
+    fn who_falls_short_does_so_by_as_much_as_is_known() {
+        let reaching = |value: f64, known: f64| {
+            let bound = |largest| Expected::Bound { largest };
+            let study = Study::new("s", "c", move |_| Measured::value(value)).expect(bound(1.0));
+            study.falls_short(bound(known), "because").run()
+        };
+        let as_known = reaching(1.5, 2.0);
+        assert!(as_known.falls_short() && as_known.is_good() && !as_known.passed());
+        assert!(as_known.sentence.ends_with("known to fall short: because"));
+        assert!(!reaching(2.5, 2.0).is_good(), "farther off than known");
+        assert!(!reaching(0.5, 2.0).is_good(), "met after all");
+    }
+
+    #[test]
+    fn a_mutant_of_a_study_that_falls_short_must_be_worse_than_known() {
+        let of = |mistaken: f64| {
+            let study = Study::new("s", "c", move |conditions| {
+                Measured::value(if conditions.is("wrong") { mistaken } else { 1.5 })
+            });
+            let bound = |largest| Expected::Bound { largest };
+            study.expect(bound(1.0)).falls_short(bound(2.0), "because").run_mutant("wrong")
+        };
+        assert!(of(3.0).caught() && !of(1.6).caught() && !of(1.6).is_good());
     }
 }

@@ -13,7 +13,7 @@ h2 { margin: 2.2rem 0 .4rem; border-bottom: 1px solid #ccc }
 table { border-collapse: collapse; margin: .6rem 0 } td, th { padding: .15rem .7rem; text-align: left;
   border-bottom: 1px solid #e4e4e4; font-variant-numeric: tabular-nums }
 summary { cursor: pointer; padding: .2rem 0 } details { border-bottom: 1px solid #eee } details > div { padding: 0 1.2rem .8rem }
-.mark { display: inline-block; min-width: 5.6rem; font-weight: bold } .good { color: #00694a } .bad { color: #b3261e }
+.mark { display: inline-block; min-width: 5.6rem; font-weight: bold } .good { color: #00694a } .bad { color: #b3261e } .short { color: #8a5a00 }
 .number { color: #555 } svg { max-width: 44rem; width: 100%; height: auto }
 .bar { display: inline-block; width: 12rem; height: .6rem; background: #eee; vertical-align: middle }
 .bar i { display: block; height: 100%; background: #0072b2 } .bar i.over { background: #b3261e }
@@ -41,7 +41,7 @@ impl Report<'_> {
         for (name, value) in rows {
             let _ = write!(out, "<tr><th>{name}<td>{}", escaped(&value));
         }
-        out.push_str("</table>\n<label><input type=\"checkbox\" id=\"only\"> only what failed</label>\n");
+        out.push_str("</table>\n<label><input type=\"checkbox\" id=\"only\"> only what failed or falls short</label>\n");
         let mut topic = "";
         for (study, own) in &self.studies {
             let here = study.name.split('/').next().unwrap_or_default();
@@ -57,8 +57,10 @@ impl Report<'_> {
 }
 
 fn write_study(out: &mut String, study: &Study, own: &[&Outcome]) {
-    let good = own.iter().all(|outcome| outcome.is_good());
-    let (class, open) = if good { ("passed", "") } else { ("failed", " open") };
+    let (good, short) =
+        (own.iter().all(|outcome| outcome.is_good()), own.iter().any(|outcome| outcome.falls_short()));
+    let class = if good && !short { "passed" } else { "missed" };
+    let open = if good { "" } else { " open" };
     let _ = write!(out, "<details class=\"{class}\"{open}><summary>");
     for outcome in own.iter().filter(|outcome| outcome.mutant.is_none()) {
         mark(out, outcome);
@@ -76,7 +78,12 @@ fn write_study(out: &mut String, study: &Study, own: &[&Outcome]) {
             mark(out, outcome);
             let _ = write!(out, "mistake: {} — ", escaped(mutant));
         }
-        out.push_str(&escaped(&outcome.sentence));
+        let _ = write!(
+            out,
+            "{} <span class=\"number\">{:.1} s</span>",
+            escaped(&outcome.sentence),
+            outcome.seconds
+        );
         if let (None, Some(measured)) = (&outcome.mutant, &outcome.measured) {
             write_measured(out, study, measured);
         }
@@ -85,7 +92,11 @@ fn write_study(out: &mut String, study: &Study, own: &[&Outcome]) {
 }
 
 fn mark(out: &mut String, outcome: &Outcome) {
-    let class = if outcome.is_good() { "good" } else { "bad" };
+    let class = match outcome.is_good() {
+        true if outcome.falls_short() => "short",
+        true => "good",
+        false => "bad",
+    };
     let _ = write!(out, "<span class=\"mark {class}\">{}</span>", verdict(outcome).trim_matches('*'));
 }
 

@@ -3,7 +3,7 @@
 use super::Report;
 use crate::verify::expected::Measured;
 use crate::verify::json;
-use crate::verify::study::Outcome;
+use crate::verify::study::{Outcome, Standing};
 use core::fmt::Write;
 
 impl Outcome {
@@ -50,9 +50,13 @@ fn outcome_json(out: &mut String, outcome: &Outcome) {
     json::name(out, "good");
     out.push_str(if outcome.is_good() { "true" } else { "false" });
     json::name(out, "met");
-    out.push_str(if outcome.met { "true" } else { "false" });
+    out.push_str(if outcome.standing == Standing::Met { "true" } else { "false" });
+    json::name(out, "falls short");
+    out.push_str(if outcome.standing == Standing::FallsShort { "true" } else { "false" });
     json::name(out, "finished");
     out.push_str(if outcome.measured.is_some() { "true" } else { "false" });
+    json::name(out, "seconds");
+    json::number(out, outcome.seconds);
     json::name(out, "sentence");
     json::text(out, &outcome.sentence);
     json::name(out, "points");

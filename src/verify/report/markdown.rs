@@ -20,13 +20,17 @@ impl Report<'_> {
         for (name, value) in lines {
             let _ = writeln!(out, "- {name}: {value}");
         }
-        out.push_str("\n| study | equations | result | |\n|---|---|---|---|\n");
+        out.push_str("\n| study | equations | result | | s |\n|---|---|---|---|---|\n");
         for (study, own) in &self.studies {
             for outcome in own {
                 let name = full_name(outcome);
                 let equations = study.equations.join(", ");
-                let _ =
-                    writeln!(out, "| {name} | {equations} | {} | {} |", outcome.sentence, verdict(outcome));
+                let Outcome { sentence, seconds, .. } = outcome;
+                let _ = writeln!(
+                    out,
+                    "| {name} | {equations} | {sentence} | {} | {seconds:.1} |",
+                    verdict(outcome)
+                );
             }
         }
         for (study, own) in &self.studies {

@@ -45,6 +45,7 @@ pub(super) fn full_name(outcome: &Outcome) -> String {
 
 pub(super) fn verdict(outcome: &Outcome) -> &'static str {
     match (&outcome.mutant, outcome.is_good()) {
+        (None, true) if outcome.falls_short() => "*falls short*",
         (None, true) => "passed",
         (None, false) => "**FAILED**",
         (Some(_), true) => "caught",
@@ -52,14 +53,20 @@ pub(super) fn verdict(outcome: &Outcome) -> &'static str {
     }
 }
 
-/// How many were good, or that there was none.
+/// How many were good, how many of them fall short as is known, or that there was none; and the time they took.
 pub(super) fn tally<'a>(outcomes: impl Iterator<Item = &'a Outcome>, word: &str) -> String {
-    let (mut good, mut all) = (0, 0);
+    let (mut good, mut short, mut all, mut seconds) = (0, 0, 0, 0.0);
     for outcome in outcomes {
-        good += usize::from(outcome.is_good());
+        short += usize::from(outcome.falls_short());
+        good += usize::from(outcome.is_good() && !outcome.falls_short());
         all += 1;
+        seconds += outcome.seconds;
     }
-    if all == 0 { "not run".to_owned() } else { format!("{good} of {all} {word}") }
+    let short = if short == 0 { String::new() } else { format!(", {short} fall short as is known") };
+    match all {
+        0 => "not run".to_owned(),
+        _ => format!("{good} of {all} {word}{short}; {:.1} min of one thread", seconds / 60.0),
+    }
 }
 
 #[cfg(test)]
@@ -78,7 +85,11 @@ mod tests {
         let environment = Environment { commit: "abc".to_owned(), ..Environment::detect() };
         let report = Report::new(environment, &studies, &outcomes);
         let text = report.markdown();
-        assert!(text.contains("- studies: 1 of 1 passed\n- mutants: 1 of 2 caught"));
+        assert!(
+            text.contains(
+                "- studies: 1 of 1 passed; 0.0 min of one thread\n- mutants: 1 of 2 caught; 0.0 min"
+            )
+        );
         assert!(text.contains("**SURVIVED**") && text.contains("| 1.0000e-1 | 1.000000e-2 | 2.000 |"));
         assert!(text.find("rest | ").unwrap() < text.find("mutant: bad").unwrap());
         assert!(report.html().contains("<tr><th>deliberate mistakes<td>1 of 2 caught"));
@@ -86,7 +97,11 @@ mod tests {
         assert!(json.contains("\"commit\":\"abc\"") && json.contains("\"mutant\":\"bad\",\"good\":true"));
         assert_eq!(json.matches('{').count(), json.matches('}').count());
         let alone = Report::new(Environment::detect(), &studies, &outcomes[2..]);
-        assert!(alone.markdown().contains("- studies: 1 of 1 passed\n- mutants: not run\n"));
+        assert!(
+            alone
+                .markdown()
+                .contains("- studies: 1 of 1 passed; 0.0 min of one thread\n- mutants: not run\n")
+        );
         assert!(alone.html().contains("<tr><th>deliberate mistakes<td>not run"));
     }
 }
