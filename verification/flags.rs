@@ -8,6 +8,8 @@ pub struct Flags {
     pub reports: Vec<String>,
     /// Where outcomes are kept, to go on from.
     pub resume: Option<String>,
+    /// Nothing is run: what is kept is all there is.
+    pub recorded: bool,
 }
 
 impl Flags {
@@ -19,6 +21,7 @@ impl Flags {
             match argument.as_str() {
                 "--full" => flags.full = true,
                 "--mutants" => flags.mutants = true,
+                "--recorded" => flags.recorded = true,
                 "--report" => {
                     let file = arguments.next().ok_or("--report needs a file name, or - for the terminal")?;
                     flags.reports.push(file);

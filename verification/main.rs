@@ -6,8 +6,8 @@
 //! `--full` also runs the studies of minutes; `--mutants` also shows that each study fails under
 //! each of its deliberate mistakes; `--report FILE` writes what was measured, as JSON or HTML if the name
 //! ends so, else as Markdown (`-`: to the terminal); `--resume FILE` keeps every outcome in a file as soon as it
-//! is there, and takes from it what this very build has measured before. `cargo verify` is short for the
-//! command.
+//! is there, and takes from it what this very build has measured before; with `--recorded` nothing else is run, for
+//! a report of what a run that goes on, or was stopped, has so far. `cargo verify` is short for the command.
 //!
 //! A new topic is a file with `pub fn studies() -> Vec<Study>`, and a line in [`studies`].
 
@@ -192,12 +192,17 @@ fn main() -> ExitCode {
 /// that `--ignored` and `--include-ignored` find it.
 fn trials(studies: &Arc<Vec<Study>>, record: &Shared, flags: &Flags) -> Vec<Trial> {
     let mut trials = Vec::new();
+    let unrecorded = |study: &Study, mutant| {
+        let is_known = |journal: &Journal| journal.known(&study.name, mutant).is_some();
+        flags.recorded && !lock(record).journal.as_ref().is_some_and(is_known)
+    };
     for (index, study) in studies.iter().enumerate() {
-        let skip = study.level == Level::Full && !flags.full;
+        let too_long = study.level == Level::Full && !flags.full;
+        let skip = too_long || unrecorded(study, None);
         trials.push(trial(study.name.clone(), studies, index, None, record).with_ignored_flag(skip));
         for &mutant in &study.mutants {
             let name = format!("{}: {mutant}", study.name);
-            let skip = skip || !flags.mutants;
+            let skip = too_long || !flags.mutants || unrecorded(study, Some(mutant));
             let trial = trial(name, studies, index, Some(mutant), record).with_kind("mutant");
             trials.push(trial.with_ignored_flag(skip));
         }

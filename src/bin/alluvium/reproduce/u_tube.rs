@@ -37,7 +37,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
 fn text(options: &ReproduceOptions) -> String {
     let (end, interval) = if options.quick { (QUICK_END, 0.5) } else { (END, 2.0) };
     let sizes = match options.preset {
-        PresetName::Default => "smoothing_ratio = 1.9",
+        PresetName::Default => "smoothing_ratio = 2.25",
         PresetName::Paper => "",
     };
     let (preset, precision) = (options.preset.preset(), options.precision.name());
