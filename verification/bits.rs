@@ -8,44 +8,62 @@ use alluvium::mixture::Phase;
 use alluvium::neighbours::{BruteForce, NeighbourSearch};
 use alluvium::parallel::Threads;
 use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
+use alluvium::time::{Integrator, LeapFrog, StepSize, VelocityVerlet};
 use alluvium::verify::{Conditions, Expected, Measured, Study};
 use alluvium::{InstructionSet, Real};
 
 const SHORT: &str = "search 1 % short of the support";
 const LONGER: &str = "the step of three threads is longer by one rounding";
-const ANEW: &str = "goes on from what is seen, not from the half step";
+const ANEW: &str = "goes on from what is seen, not from what was kept";
 
 const STEPS: usize = 30;
 
 pub fn studies() -> Vec<Study> {
-    of_every_cloud!(study)
+    let clouds: Vec<Vec<Study>> = of_every_cloud!(of);
+    clouds.into_iter().flatten().collect()
 }
 
-fn study<T: Real, const D: usize>(made: Made) -> Study {
+fn of<T: Real, const D: usize>(made: Made) -> Vec<Study> {
+    let name = |what: &str| format!("invariance/{what}/{}/{D}d/{}", made.name(), T::NAME);
+    vec![
+        study::<T, D, _>(name("bits"), made, LeapFrog::new().with_third_order_density()),
+        study::<T, D, _>(name("bits, leap-frog"), made, LeapFrog::new()),
+        study::<T, D, _>(name("bits, velocity-verlet"), made, VelocityVerlet::new()),
+    ]
+}
+
+fn study<T: Real, const D: usize, I: Integrator<T> + Sync>(name: String, made: Made, integrator: I) -> Study {
     // More particles than a task of the loops over them takes.
     let cloud = Cloud::<D> { periodic: true, side: if D == 2 { 46 } else { 13 }, ..Cloud::new(made) };
     Study::new(
-        format!("invariance/bits/{}/{D}d/{}", made.name(), T::NAME),
+        name,
         "a run has the same bits for any threads, instructions and search, and if it is kept and resumed on \
          the way (values: numbers that differ)",
-        move |conditions| differences::<T, D>(cloud, conditions),
+        move |conditions| differences::<T, D, I>(cloud, &integrator, conditions),
     )
-    .source("each particle adds its own neighbours in ascending order; a snapshot holds both instants")
+    .source("each particle adds its own neighbours in ascending order; a snapshot holds all that a step begins with")
     .expect(Expected::Identical)
     .mutant(SHORT)
     .mutant(LONGER)
     .mutant(ANEW)
 }
 
-fn differences<T: Real, const D: usize>(cloud: Cloud<D>, conditions: &Conditions) -> Measured {
+fn differences<T: Real, const D: usize, I: Integrator<T>>(
+    cloud: Cloud<D>,
+    integrator: &I,
+    conditions: &Conditions,
+) -> Measured {
+    let run = |mixture: Both<T, D>, courant: f64| -> Following<T, D, I> {
+        let step = StepSize::courant(T::of(courant)).expect("a Courant number");
+        Simulation::new(mixture, integrator.clone(), step)
+    };
     let follow = |mistake, courant| run(cloud.mixture(Cloud::<D>::soil(), &Frame::own(), mistake), courant);
     let own = || follow(None, COURANT);
     let mut whole = own();
     steps(&mut whole, STEPS, 1);
     let expected = bits(whole.mixture());
     let mut values = Vec::new();
-    let mut compare = |what: &str, run: &Following<T, D>| {
+    let mut compare = |what: &str, run: &Following<T, D, I>| {
         let different = bits(run.mixture()).iter().zip(&expected).filter(|(a, b)| a != b).count();
         values.push((what.to_owned(), different as f64));
     };
@@ -86,15 +104,11 @@ fn differences<T: Real, const D: usize>(cloud: Cloud<D>, conditions: &Conditions
 /// Small enough that it, and not the pores (which know no such number), sets the step.
 const COURANT: f64 = 0.15;
 
-fn run<T: Real, const D: usize>(mixture: Both<T, D>, courant: f64) -> Following<T, D> {
-    Simulation::new(
-        mixture,
-        LeapFrog::new().with_third_order_density(),
-        StepSize::courant(T::of(courant)).expect("a Courant number"),
-    )
-}
-
-fn steps<T: Real, const D: usize>(run: &mut Following<T, D>, count: usize, threads: usize) {
+fn steps<T: Real, const D: usize, I: Integrator<T>>(
+    run: &mut Following<T, D, I>,
+    count: usize,
+    threads: usize,
+) {
     Threads::new(threads).expect("a few threads").install(|| {
         for _ in 0..count {
             run.step().expect("a step");

@@ -1,6 +1,7 @@
 //! Where the energy of the paper's four cases goes: its own "future study". Every account of the ledger, what each
 //! numerical device costs, and what no account explains.
 
+use alluvium::Real;
 use alluvium::budget::{Account, Budget};
 use alluvium::case::{Case, IntegratorChoice};
 use alluvium::kernel::WendlandC2;
@@ -17,6 +18,7 @@ const CASES: [(&str, &str); 4] = [
     ("U-tube", include_str!("cases/u_tube.toml")),
     ("jet", include_str!("cases/jet.toml")),
 ];
+const TANK: &str = include_str!("cases/tank_3d.toml");
 
 const PLASTICITY: &str =
     "λ̇ where F ≥ 0, cracking and scaling back at each half step take more energy than there is";
@@ -41,7 +43,8 @@ pub fn studies() -> Vec<Study> {
     for (name, text) in CASES {
         for (preset, leap_frog) in [("default", "leap-frog-ab3"), ("paper", "leap-frog")] {
             for integrator in [leap_frog, "velocity-verlet"] {
-                let study = budget(name, text, preset, integrator);
+                let study =
+                    budget::<f64, 2>(&format!("{name}/{preset}/{integrator}"), text, preset, integrator);
                 let open = OPEN.iter().find(|(name, ..)| *name == study.name);
                 studies.push(match open {
                     Some(&(_, largest, why)) => study.falls_short(Expected::Bound { largest }, why),
@@ -49,21 +52,35 @@ pub fn studies() -> Vec<Study> {
                 });
             }
         }
+        let single = format!("{name}/default/leap-frog-ab3/f32");
+        studies.push(budget::<f32, 2>(&single, text, "default", "leap-frog-ab3"));
+    }
+    for integrator in ["leap-frog-ab3", "velocity-verlet"] {
+        let name = |precision| format!("tank/default/{integrator}/3d/{precision}");
+        studies.push(budget::<f64, 3>(&name("f64"), TANK, "default", integrator));
+        studies.push(budget::<f32, 3>(&name("f32"), TANK, "default", integrator));
     }
     studies
 }
 
-fn budget(name: &str, text: &'static str, preset: &'static str, integrator: &'static str) -> Study {
-    let title = format!("budget/{name}/{preset}/{integrator}");
+fn budget<T: Real, const D: usize>(
+    name: &str,
+    text: &'static str,
+    preset: &'static str,
+    integrator: &'static str,
+) -> Study {
+    let title = format!("budget/{name}");
     let claim = "the ledger closes: what no account explains is below two thousandths of the energy that was there and \
                  came in (values: that part at the worst instant; of the time, what did not run)";
     Study::new(title.clone(), claim, move |conditions| {
         let text = text.replace("PRESET", preset).replace("INTEGRATOR", integrator);
         let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));
         let ledger = match case.time.integrator {
-            IntegratorChoice::LeapFrog => follow(&case, LeapFrog::new()),
-            IntegratorChoice::LeapFrogAb3 => follow(&case, LeapFrog::new().with_third_order_density()),
-            IntegratorChoice::VelocityVerlet => follow(&case, VelocityVerlet::new()),
+            IntegratorChoice::LeapFrog => follow::<T, D>(&case, LeapFrog::new()),
+            IntegratorChoice::LeapFrogAb3 => {
+                follow::<T, D>(&case, LeapFrog::new().with_third_order_density())
+            }
+            IntegratorChoice::VelocityVerlet => follow::<T, D>(&case, VelocityVerlet::new()),
         };
         measured(&title, &ledger, conditions)
     })
@@ -75,16 +92,16 @@ fn budget(name: &str, text: &'static str, preset: &'static str, integrator: &'st
 }
 
 /// A hundred instants of a run.
-struct Ledger {
-    budgets: Vec<Budget<2>>,
+struct Ledger<const D: usize> {
+    budgets: Vec<Budget<D>>,
     /// Why it ended before its time.
     stopped: Option<String>,
     /// The part of the time it ran \[-\].
     ran: f64,
 }
 
-fn follow(case: &Case, integrator: impl Integrator<f64>) -> Ledger {
-    let kernel = WendlandC2::<f64, 2>::new(case.smoothing_length()).expect("a length");
+fn follow<T: Real, const D: usize>(case: &Case, integrator: impl Integrator<T>) -> Ledger<D> {
+    let kernel = WendlandC2::<T, D>::new(T::of(case.smoothing_length())).expect("a length");
     let mut run = case.simulation(kernel, integrator).expect("a case");
     // One thread each: the harness runs studies side by side.
     Threads::new(1).expect("a thread").install(|| {
@@ -101,18 +118,19 @@ fn follow(case: &Case, integrator: impl Integrator<f64>) -> Ledger {
     })
 }
 
-fn measured(title: &str, ledger: &Ledger, conditions: &Conditions) -> Measured {
+fn measured<const D: usize>(title: &str, ledger: &Ledger<D>, conditions: &Conditions) -> Measured {
+    let joule = if D == 2 { "J/m" } else { "J" };
     let Ledger { budgets, stopped, ran } = ledger;
     let start = &budgets[0];
     // Energy in gravity counts from where it ends; what a nozzle brings counts as it comes.
-    let released = |budget: &Budget<2>| {
+    let released = |budget: &Budget<D>| {
         (start.potential - budget.potential).abs() + start.kinetic - budget.taken[Account::Inflow]
     };
     let largest = budgets.iter().map(released).fold(0.0, f64::max);
-    let left_out = |budget: &Budget<2>| {
+    let left_out = |budget: &Budget<D>| {
         if conditions.is(UNBOOKED) { budget.taken[Account::ArtificialViscosity] } else { 0.0 }
     };
-    let unexplained = |budget: &Budget<2>| (budget.closure(start) - left_out(budget)).abs() / largest;
+    let unexplained = |budget: &Budget<D>| (budget.closure(start) - left_out(budget)).abs() / largest;
     let worst = budgets.iter().map(unexplained).fold(0.0, f64::max);
     let end = budgets.last().unwrap_or(start);
     let mut measured = Measured::values([("unexplained", worst), ("time not run", 1.0 - ran)]);
@@ -120,17 +138,20 @@ fn measured(title: &str, ledger: &Ledger, conditions: &Conditions) -> Measured {
         measured = measured.note(format!("stopped: {stopped}"));
     }
     measured = measured.note(format!(
-        "released and brought {largest:.4e} J/m, unexplained at the end {:.3e} J/m",
+        "released and brought {largest:.4e} {joule}, unexplained at the end {:.3e} {joule}",
         end.closure(start)
     ));
-    let mut chart = Chart::new(title, "time [s]", "energy taken [J/m]");
+    let mut chart = Chart::new(title, "time [s]", &format!("energy taken [{joule}]"));
     for account in Account::ALL {
         let taken = end.taken[account] - start.taken[account];
         if taken.abs() < 1e-6 * largest {
             continue;
         }
-        measured =
-            measured.note(format!("{}: {taken:.4e} J/m, {:.3} %", account.name(), 100.0 * taken / largest));
+        measured = measured.note(format!(
+            "{}: {taken:.4e} {joule}, {:.3} %",
+            account.name(),
+            100.0 * taken / largest
+        ));
         if taken.abs() < 1e-3 * largest {
             continue;
         }

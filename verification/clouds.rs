@@ -9,13 +9,13 @@ use alluvium::material::{Conductivity, Cone, Darcy, DruckerPrager, Material, Soi
 use alluvium::mixture::{ArtificialViscosity, Mixture, Phase};
 use alluvium::neighbours::BruteForce;
 use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
+use alluvium::time::{Integrator, StepSize};
 use alluvium::verify::{Arrangement, Random, ShortSighted};
 use alluvium::{Real, SymTensor, Vector};
 use core::f64::consts::TAU;
 
 pub type Both<T, const D: usize, S = Soil<T>> = Mixture<T, D, WendlandC2<T, D>, S, Water<T>>;
-pub type Following<T, const D: usize> = Simulation<T, D, WendlandC2<T, D>, Soil<T>, Water<T>>;
+pub type Following<T, const D: usize, I> = Simulation<T, D, WendlandC2<T, D>, Soil<T>, Water<T>, I>;
 
 /// What the cloud is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -197,15 +197,15 @@ impl<const D: usize> Cloud<D> {
         mixture.with_gravity(Vector::of(seen))
     }
 
-    /// At the start, to be followed in equal steps.
-    pub fn follow<T: Real>(&self, frame: &Frame<D>, mistake: Option<Mistake>) -> Following<T, D> {
+    /// After [`STEPS`] equal steps.
+    pub fn seen<T: Real>(
+        &self,
+        integrator: impl Integrator<T>,
+        frame: &Frame<D>,
+        mistake: Option<Mistake>,
+    ) -> Seen<D> {
         let step = StepSize::fixed(T::of(self.step())).expect("a step");
-        Simulation::new(self.mixture(Self::soil(), frame, mistake), LeapFrog::new(), step)
-    }
-
-    /// After [`STEPS`] steps.
-    pub fn seen<T: Real>(&self, frame: &Frame<D>, mistake: Option<Mistake>) -> Seen<D> {
-        let mut run = self.follow::<T>(frame, mistake);
+        let mut run = Simulation::new(self.mixture(Self::soil(), frame, mistake), integrator, step);
         for _ in 0..STEPS {
             run.step().expect("a step");
         }

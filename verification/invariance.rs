@@ -9,6 +9,7 @@
 use crate::clouds::{Cloud, FLOW, Made, Particle, STEPS, Seen, of_every_cloud};
 use crate::frames::{Frame, Mistake};
 use alluvium::Real;
+use alluvium::time::{Integrator, LeapFrog, VelocityVerlet};
 use alluvium::verify::{Conditions, Expected, Measured, Study};
 use core::f64::consts::FRAC_PI_2;
 
@@ -43,8 +44,13 @@ fn of<T: Real, const D: usize>(made: Made) -> Vec<Study> {
     let name = |what: &str| format!("invariance/{what}/{}/{D}d/{}", made.name(), T::NAME);
     let cloud = Cloud::<D>::new(made);
     let box_of = Cloud { periodic: true, ..cloud };
-    let mut studies =
-        vec![moved::<T, D>(&name("uniform velocity"), box_of), reordered::<T, D>(&name("order"), box_of)];
+    let third_order_density = LeapFrog::new().with_third_order_density();
+    let mut studies = vec![
+        moved::<T, D>(&name("uniform velocity"), box_of),
+        reordered::<T, D, _>(&name("order"), box_of, LeapFrog::new()),
+        reordered::<T, D, _>(&name("order, leap-frog-ab3"), box_of, third_order_density),
+        reordered::<T, D, _>(&name("order, velocity-verlet"), box_of, VelocityVerlet::new()),
+    ];
     let turned = [
         ("quarter turn", turn(FRAC_PI_2, false), "turned by 90°"),
         ("oblique turn", turn(0.7, true), "turned by 40°, in three dimensions about an oblique axis"),
@@ -74,7 +80,7 @@ fn moved<T: Real, const D: usize>(name: &str, cloud: Cloud<D>) -> Study {
             "a uniform velocity of ten times the flow's changes nothing but places, in a box that repeats itself \
              {VALUES}"
         ),
-        move |conditions| compare::<T, D>(cloud, &frame, cloud, mistake(conditions)),
+        move |conditions| compare::<T, D>(&LeapFrog::new(), cloud, &frame, cloud, mistake(conditions)),
     );
     study
         .equations(&["52", "53", "55", "58", "69", "71", "72"])
@@ -88,7 +94,7 @@ fn other_axes<T: Real, const D: usize>(name: &str, cloud: Cloud<D>, turn: [[f64;
     let study = Study::new(
         name,
         format!("a free cloud runs the same {how}, and gravity with it {VALUES}"),
-        move |conditions| compare::<T, D>(cloud, &frame, cloud, mistake(conditions)),
+        move |conditions| compare::<T, D>(&LeapFrog::new(), cloud, &frame, cloud, mistake(conditions)),
     )
     .equations(&["21", "34", "35", "52", "53", "55", "58", "65", "66"])
     .source("no direction of space is its own; bar: ε N L/Δx, every rounding of N steps one way")
@@ -98,7 +104,11 @@ fn other_axes<T: Real, const D: usize>(name: &str, cloud: Cloud<D>, turn: [[f64;
     if cloud.made.has_soil() { study.mutant(STRESS) } else { study }
 }
 
-fn reordered<T: Real, const D: usize>(name: &str, cloud: Cloud<D>) -> Study {
+fn reordered<T: Real, const D: usize, I: Integrator<T> + Sync>(
+    name: &str,
+    cloud: Cloud<D>,
+    integrator: I,
+) -> Study {
     let shuffled = Cloud { order: 17, ..cloud };
     Study::new(
         name,
@@ -106,7 +116,7 @@ fn reordered<T: Real, const D: usize>(name: &str, cloud: Cloud<D>) -> Study {
             "particles given in another order become the same, to rounding: those of a cell are added up in the \
              order in which they came {VALUES}"
         ),
-        move |conditions| compare::<T, D>(cloud, &Frame::own(), shuffled, mistake(conditions)),
+        move |conditions| compare(&integrator, cloud, &Frame::own(), shuffled, mistake(conditions)),
     )
     .source("numbers are names; bar: ε N L/Δx, every rounding of N steps one way")
     .expect(Expected::Bound { largest: rounding::<T, D>(&cloud, 0.0) })
@@ -115,13 +125,14 @@ fn reordered<T: Real, const D: usize>(name: &str, cloud: Cloud<D>) -> Study {
 
 /// What `other` becomes in a frame, against what the cloud in its own becomes, seen from there.
 fn compare<T: Real, const D: usize>(
+    integrator: &impl Integrator<T>,
     cloud: Cloud<D>,
     frame: &Frame<D>,
     other: Cloud<D>,
     mistake: Option<Mistake>,
 ) -> Measured {
-    let own = cloud.seen::<T>(&Frame::own(), None);
-    let found = other.seen::<T>(frame, mistake);
+    let own = cloud.seen(integrator.clone(), &Frame::own(), None);
+    let found = other.seen(integrator.clone(), frame, mistake);
     let travelled = STEPS as f64 * T::of(cloud.step()).as_f64();
     let see = |p: &Particle<D>| {
         let (x, v) = (frame.vector(p.position), frame.vector(p.velocity));

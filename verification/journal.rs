@@ -1,6 +1,6 @@
 //! What a long run has measured so far, line by line, so that it can go on where it was stopped.
 
-use alluvium::verify::{Measured, Outcome, Point, Standing};
+use alluvium::verify::{Measured, Outcome, Point, Standing, Table};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -64,9 +64,12 @@ fn fingerprint() -> io::Result<u64> {
 
 fn outcome(line: &Value) -> Option<Outcome> {
     let text = |name: &str| Some(line.get(name)?.as_str()?.to_owned());
-    let texts = |name: &str| -> Option<Vec<String>> {
-        line.get(name)?.as_array()?.iter().map(|text| Some(text.as_str()?.to_owned())).collect()
-    };
+    fn texts(of: &Value) -> Option<Vec<String>> {
+        of.as_array()?.iter().map(|text| Some(text.as_str()?.to_owned())).collect()
+    }
+    fn table(of: &Value) -> Option<Table> {
+        of.as_array()?.iter().map(texts).collect()
+    }
     let point = |point: &Value| {
         let number = |name: &str| Some(point.get(name)?.as_f64().unwrap_or(f64::NAN));
         let label = point.get("label")?.as_str()?.to_owned();
@@ -74,8 +77,9 @@ fn outcome(line: &Value) -> Option<Outcome> {
     };
     let measured = Measured {
         points: line.get("points")?.as_array()?.iter().map(point).collect::<Option<_>>()?,
-        notes: texts("notes")?,
-        pictures: texts("pictures")?,
+        notes: texts(line.get("notes")?)?,
+        tables: line.get("tables")?.as_array()?.iter().map(table).collect::<Option<_>>()?,
+        pictures: texts(line.get("pictures")?)?,
     };
     let is = |name: &str| line.get(name)?.as_bool();
     let standing = match (is("met")?, is("falls short")?) {

@@ -39,6 +39,7 @@ mod invariance;
 #[cfg(feature = "case")]
 mod jet;
 mod journal;
+mod kept_places;
 mod kernels;
 mod lattice_sums;
 mod layers;
@@ -53,8 +54,10 @@ mod powers;
 mod precision;
 mod precision_places;
 mod ready;
+mod rungs;
 #[cfg(feature = "case")]
 mod sand_column;
+mod saturated_rock;
 mod scene;
 mod seepage;
 mod settling;

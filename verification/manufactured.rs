@@ -65,16 +65,26 @@ fn explicit() -> Vec<Study> {
         water_in_space::<f32, 2, _>("manufactured/water/space/2d/f32", &SIDES, 2.0, VelocityVerlet::new),
         water_in_space::<f64, 3, _>("manufactured/water/space/3d/f64", &SIDES_3D, 1.0, VelocityVerlet::new)
             .level(Level::Full),
+        water_in_space::<f32, 3, _>("manufactured/water/space/3d/f32", &SIDES_3D, 1.0, VelocityVerlet::new)
+            .level(Level::Full),
         uncorrected(),
         joint_limit(),
         disordered(),
-        water_in_time("manufactured/water/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
-        water_in_time("manufactured/water/time/leap-frog", LeapFrog::new, Unpredicted),
-        water_in_time(
-            "manufactured/water/time/leap-frog-ab3",
-            || LeapFrog::new().with_third_order_density(),
+        water_in_time::<2, _, _>("manufactured/water/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
+        water_in_time::<2, _, _>("manufactured/water/time/leap-frog", LeapFrog::new, Unpredicted),
+        water_in_time::<2, _, _>("manufactured/water/time/leap-frog-ab3", third_order_density, Unpredicted),
+        water_in_time::<3, _, _>(
+            "manufactured/water/time/3d/velocity-verlet",
+            VelocityVerlet::new,
+            Unforeseen,
+        )
+        .level(Level::Full),
+        water_in_time::<3, _, _>(
+            "manufactured/water/time/3d/leap-frog-ab3",
+            third_order_density,
             Unpredicted,
-        ),
+        )
+        .level(Level::Full),
         MISTAKES
             .iter()
             .fold(both_in_space::<f64, 2>("manufactured/both/space/2d/f64", &SIDES), |study, (name, _)| {
@@ -83,14 +93,16 @@ fn explicit() -> Vec<Study> {
         both_in_space::<f32, 2>("manufactured/both/space/2d/f32", &SIDES),
         both_in_space::<f64, 3>("manufactured/both/space/3d/f64", &[16, 24, 32]).level(Level::Full),
         printed(),
-        both_in_time("manufactured/both/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
-        both_in_time("manufactured/both/time/leap-frog", LeapFrog::new, Unpredicted),
-        both_in_time(
-            "manufactured/both/time/leap-frog-ab3",
-            || LeapFrog::new().with_third_order_density(),
-            Unpredicted,
-        ),
+        both_in_time::<2, _, _>("manufactured/both/time/velocity-verlet", VelocityVerlet::new, Unforeseen),
+        both_in_time::<2, _, _>("manufactured/both/time/leap-frog", LeapFrog::new, Unpredicted),
+        both_in_time::<2, _, _>("manufactured/both/time/leap-frog-ab3", third_order_density, Unpredicted),
+        both_in_time::<3, _, _>("manufactured/both/time/3d/leap-frog-ab3", third_order_density, Unpredicted)
+            .level(Level::Full),
     ]
+}
+
+fn third_order_density() -> LeapFrog<f64> {
+    LeapFrog::new().with_third_order_density()
 }
 
 fn water_in_space<T: Real, const D: usize, I: Integrator<T>>(
@@ -238,7 +250,7 @@ fn both_in_space<T: Real, const D: usize>(name: &str, sides: &'static [usize]) -
     .mutant(TWICE)
 }
 
-/// Differences of the velocities to those in sixteen times as many steps as the finest.
+/// Differences of the velocities to those in sixteen times as many steps as the finest; singles would round them away.
 fn in_time(velocities: impl Fn(usize) -> Vec<f64>) -> Measured {
     const STEPS: [usize; 3] = [80, 160, 320];
     let exact = velocities(16 * STEPS[2]);
@@ -246,7 +258,7 @@ fn in_time(velocities: impl Fn(usize) -> Vec<f64>) -> Measured {
     Measured::errors(STEPS.map(error))
 }
 
-fn water_in_time<I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 'static>(
+fn water_in_time<const D: usize, I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 'static>(
     name: &str,
     integrator: fn() -> I,
     mistaken: J,
@@ -256,9 +268,9 @@ fn water_in_time<I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + '
             let run = Run { steps, ..Run::new(8, 1.0) };
             let water = fluid(WATER.viscosity);
             if conditions.is(UNPREDICTED) {
-                velocities(alone::<f64, 2>(run, water, mistaken).water())
+                velocities(alone::<f64, D>(run, water, mistaken).water())
             } else {
-                velocities(alone::<f64, 2>(run, water, integrator()).water())
+                velocities(alone::<f64, D>(run, water, integrator()).water())
             }
         })
     })
@@ -288,7 +300,7 @@ fn implicit_in_time(name: &str, scheme: DragScheme, other: DragScheme) -> Study 
     .mutant(OTHER)
 }
 
-fn both_in_time<I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 'static>(
+fn both_in_time<const D: usize, I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 'static>(
     name: &str,
     integrator: fn() -> I,
     mistaken: J,
@@ -299,13 +311,13 @@ fn both_in_time<I: Integrator<f64>, J: Integrator<f64> + Copy + Send + Sync + 's
         move |conditions| {
             in_time(|steps| {
                 let run = Run { steps, ..Run::new(8, 2.0) };
-                let both = |mixture: &crate::motions::Mixed<f64, 2, _>| {
+                let both = |mixture: &crate::motions::Mixed<f64, D, _>| {
                     [velocities(mixture.soil()), velocities(mixture.water())].concat()
                 };
                 if conditions.is(UNPREDICTED) {
-                    both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), mistaken))
+                    both(&together::<f64, D, _>(run, skeleton(), darcy(1.0), mistaken))
                 } else {
-                    both(&together::<f64, 2, _>(run, skeleton(), darcy(1.0), integrator()))
+                    both(&together::<f64, D, _>(run, skeleton(), darcy(1.0), integrator()))
                 }
             })
         },

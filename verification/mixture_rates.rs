@@ -2,6 +2,7 @@
 //! identity, momentum, no force at uniform pressure, drag as Darcy's law has it.
 
 use crate::balance::{self, random};
+use crate::rungs::every_rung;
 use crate::seepage::Powered;
 use crate::soil::{GRAINS, elastic, elasticity};
 use crate::water::{periodic, water};
@@ -32,41 +33,17 @@ const FULL_WEIGHT: &str = "γ_w with the true density";
 const CUBED: &str = "φ_f cubed";
 
 pub fn studies() -> Vec<Study> {
-    let mut studies = vec![
-        identity::<f64, 2>("mixture/powers/2d/f64", (CouplingForm::PressureDifference, false), 1e-13),
-        identity::<f64, 3>("mixture/powers/3d/f64", (CouplingForm::PressureDifference, false), 1e-13),
-        identity::<f32, 2>("mixture/powers/2d/f32", (CouplingForm::PressureDifference, false), 1e-5),
-        identity::<f32, 3>("mixture/powers/3d/f32", (CouplingForm::PressureDifference, false), 1e-5),
-        identity::<f64, 2>("mixture/powers/printed/2d/f64", (CouplingForm::Printed, false), 1e-13),
-        identity::<f64, 2>(
-            "mixture/powers/corrected/2d/f64",
-            (CouplingForm::PressureDifference, true),
-            1e-13,
-        ),
-        identity::<f64, 3>(
-            "mixture/powers/corrected/3d/f64",
-            (CouplingForm::PressureDifference, true),
-            1e-13,
-        ),
-        identity::<f32, 2>("mixture/powers/corrected/2d/f32", (CouplingForm::PressureDifference, true), 1e-5),
-        identity::<f64, 2>(
-            "mixture/powers/printed and corrected/2d/f64",
-            (CouplingForm::Printed, true),
-            1e-13,
-        ),
-        momentum::<f64, 2>("mixture/momentum/2d/f64", 1e-13),
-        momentum::<f64, 3>("mixture/momentum/3d/f64", 1e-13),
-        momentum::<f32, 2>("mixture/momentum/2d/f32", 1e-5),
-        locking::<f64, 2>("mixture/no locking/2d/f64", 1e-9),
-        locking::<f64, 3>("mixture/no locking/3d/f64", 1e-9),
-        locking::<f32, 2>("mixture/no locking/2d/f32", 1e-2),
-        locked("mixture/locking as printed/2d/f64"),
-    ];
-    studies.extend([
-        drag::<f64, 2>("mixture/drag rate/2d/f64", 1e-12),
-        drag::<f64, 3>("mixture/drag rate/3d/f64", 1e-12),
-        drag::<f32, 2>("mixture/drag rate/2d/f32", 1e-5),
-    ]);
+    let (own, printed) = (CouplingForm::PressureDifference, CouplingForm::Printed);
+    let mut studies = Vec::new();
+    studies.extend(every_rung!(identity, "mixture/powers", (own, false); 1e-13, 1e-5));
+    studies.extend(every_rung!(identity, "mixture/powers/printed", (printed, false); 1e-13, 1e-5));
+    studies.extend(every_rung!(identity, "mixture/powers/corrected", (own, true); 1e-13, 1e-5));
+    studies
+        .extend(every_rung!(identity, "mixture/powers/printed and corrected", (printed, true); 1e-13, 1e-5));
+    studies.extend(every_rung!(momentum, "mixture/momentum"; 1e-13, 1e-5));
+    studies.extend(every_rung!(locking, "mixture/no locking"; 1e-9, 1e-2));
+    studies.push(locked("mixture/locking as printed/2d/f64"));
+    studies.extend(every_rung!(drag, "mixture/drag rate"; 1e-12, 1e-5));
     studies
 }
 
@@ -330,12 +307,12 @@ fn drag<T: Real, const D: usize>(name: &str, largest: f64) -> Study {
 }
 
 /// `Σ V W` on the lattice.
-fn lattice_sum<T: Real, const D: usize>(kernel: &WendlandC2<T, D>, spacing: f64) -> f64 {
-    let cells = -4_i64..=4;
+pub fn lattice_sum<T: Real, const D: usize>(kernel: &WendlandC2<T, D>, spacing: f64) -> f64 {
+    let reach = (kernel.support().as_f64() / spacing) as i64;
     let mut sum = 0.0;
-    for a in cells.clone() {
-        for b in cells.clone() {
-            for c in if D == 3 { -4..=4 } else { 0..=0 } {
+    for a in -reach..=reach {
+        for b in -reach..=reach {
+            for c in if D == 3 { -reach..=reach } else { 0..=0 } {
                 let r2 = T::of((a * a + b * b + c * c) as f64 * spacing * spacing);
                 if r2.as_f64().sqrt() < kernel.support().as_f64() {
                     sum += kernel.value(r2).as_f64() * spacing.powi(D as i32);

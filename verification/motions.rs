@@ -1,11 +1,14 @@
 //! Particles that follow a manufactured motion, and how far from it they end.
 
+use crate::kept_places::Places;
 use crate::mistaken_motions::Mistake;
 use crate::soil::elastic_of;
 use crate::water::{WaterMixture, bare, water};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, DragLaw, Material, Soil, SoilMemory, Unyielding, Water};
-use alluvium::mixture::{ArtificialViscosity, CouplingForm, DensityDiffusion, Mixture, Phase, Source};
+use alluvium::mixture::{
+    ArtificialViscosity, CouplingForm, DensityDiffusion, Mixture, Phase, Source, StepError,
+};
 use alluvium::neighbours::Periodic;
 use alluvium::simulation::Simulation;
 use alluvium::time::{Integrator, StepSize};
@@ -56,12 +59,26 @@ pub struct Run {
     pub corrected: bool,
     /// A mistake in the sources: to the particles the same as one in their equations.
     pub mistake: Option<Mistake>,
+    /// Whether there are sources; without, the motion is its own, and costs what it costs in use.
+    pub driven: bool,
+    /// How places are kept from step to step.
+    pub kept: Places,
 }
 
 impl Run {
     /// From the lattice, with corrected gradients, in steps that shrink with the spacing.
     pub fn new(side: usize, ratio: f64) -> Self {
-        Self { side, ratio, steps: 3 * side, jitter: 0.0, origin: 0.0, corrected: true, mistake: None }
+        Self {
+            side,
+            ratio,
+            steps: 3 * side,
+            jitter: 0.0,
+            origin: 0.0,
+            corrected: true,
+            mistake: None,
+            driven: true,
+            kept: Places::Own,
+        }
     }
     /// An acceleration of soil (0) or water (1) with the mistake, if there is one.
     fn wrong<T: Real, const D: usize>(
@@ -80,12 +97,23 @@ impl Run {
         mixture: Mixed<T, D, S>,
         integrator: impl Integrator<T>,
     ) -> Mixed<T, D, S> {
+        self.follow_for(self.steps, mixture, integrator).expect("steps")
+    }
+    /// Some of the steps, if they can be done.
+    pub fn follow_for<T: Real, const D: usize, S: Material<T>>(
+        &self,
+        steps: usize,
+        mixture: Mixed<T, D, S>,
+        integrator: impl Integrator<T>,
+    ) -> Result<Mixed<T, D, S>, StepError> {
         let step = StepSize::fixed(T::of(END / self.steps as f64)).expect("a step");
         let mut simulation = Simulation::new(mixture, integrator, step);
-        for _ in 0..self.steps {
-            simulation.step().expect("a step");
+        for _ in 0..steps {
+            simulation.step()?;
+            self.kept.keep(simulation.mixture_mut().soil_mut());
+            self.kept.keep(simulation.mixture_mut().water_mut());
         }
-        simulation.into_mixture()
+        Ok(simulation.into_mixture())
     }
     fn places<const D: usize>(&self, seed: u64) -> Arrangement<D> {
         let mut places = Arrangement::jittered(self.side, self.jitter, seed);
@@ -122,9 +150,10 @@ pub fn flow<T: Real, const D: usize>(run: Run, fluid: Water<T>) -> WaterMixture<
     let pressure = |x: &Vector<T, D>| T::of(water_pressure(&x.as_f64(), 0.0));
     phase.add(&places.positions(), T::of(places.volume), pressure).expect("particles");
     phase.set_velocity(|x| Vector::of(water_velocity(&x.as_f64(), 0.0)));
-    let mixture = bare(run.ratio * places.spacing, phase)
-        .with_periodic(run.periodic())
-        .with_force(|x, t| Vector::of(WATER.source(&FLOW, &x.as_f64(), t)));
+    let mut mixture = bare(run.ratio * places.spacing, phase).with_periodic(run.periodic());
+    if run.driven {
+        mixture = mixture.with_force(|x, t| Vector::of(WATER.source(&FLOW, &x.as_f64(), t)));
+    }
     if run.corrected { mixture.with_gradient_correction() } else { mixture }
 }
 
@@ -215,7 +244,8 @@ pub fn errors_together<T: Real, const D: usize, S: Material<T, Memory = SoilMemo
     [all, soil, water, stress, pressure]
 }
 
-fn mixed<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
+/// The same at the start.
+pub fn mixed<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
     run: Run,
     soil: S,
     drag: impl DragLaw<T> + 'static,
@@ -239,7 +269,20 @@ fn mixed<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
         .with_artificial_viscosity(none)
         .and_then(|mixture| mixture.with_soil_artificial_viscosity(none))
         .and_then(|mixture| mixture.with_density_diffusion(DensityDiffusion::None))
-        .expect("none")
+        .expect("none");
+    let mixture = if run.driven { driven(run, mixture) } else { mixture };
+    if run.corrected {
+        mixture.with_gradient_correction().with_normalised_drag()
+    } else {
+        mixture.with_coupling(CouplingForm::Printed)
+    }
+}
+
+fn driven<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
+    run: Run,
+    mixture: Mixed<T, D, S>,
+) -> Mixed<T, D, S> {
+    mixture
         .with_water_source(move |x, t| {
             let x = x.as_f64();
             let acceleration = run.wrong(BOTH.water_source(&MOTION, &x, t), 1, &x, t);
@@ -250,12 +293,7 @@ fn mixed<T: Real, const D: usize, S: Material<T, Memory = SoilMemory<T>>>(
             let source = BOTH.soil_source(&MOTION, &x, t);
             let memory = SoilMemory::stressed(in_precision(source.stress));
             Source { acceleration: run.wrong(source.acceleration, 0, &x, t), memory }
-        });
-    if run.corrected {
-        mixture.with_gradient_correction().with_normalised_drag()
-    } else {
-        mixture.with_coupling(CouplingForm::Printed)
-    }
+        })
 }
 
 fn in_precision<T: Real>(stress: SymTensor<f64>) -> SymTensor<T> {

@@ -34,6 +34,14 @@ pub fn studies() -> Vec<Study> {
             .source("antisymmetry of each pair")
             .expect(Expected::Bound { largest: 1e-13 })
             .mutant(SIGN),
+        Study::new("operators/conservation/3d", "the same in 3D", conserved::<f64, 3>)
+            .equations(&["51"])
+            .expect(Expected::Bound { largest: 1e-13 })
+            .mutant(SIGN),
+        Study::new("operators/conservation/2d/f32", "the same in single precision", conserved::<f32, 2>)
+            .equations(&["51"])
+            .expect(Expected::Bound { largest: 1e-5 })
+            .mutant(SIGN),
         Study::new("operators/conservation/3d/f32", "the same in single precision, 3D", conserved::<f32, 3>)
             .equations(&["51"])
             .expect(Expected::Bound { largest: 1e-5 })
@@ -52,6 +60,10 @@ pub fn studies() -> Vec<Study> {
             .expect(Expected::Bound { largest: 1e-13 })
             .mutant(WEIGHT),
         Study::new("operators/duality/2d/f32", "the same in single precision", dual::<f32, 2>)
+            .equations(&["50", "51"])
+            .expect(Expected::Bound { largest: 1e-5 })
+            .mutant(WEIGHT),
+        Study::new("operators/duality/3d/f32", "the same in single precision, 3D", dual::<f32, 3>)
             .equations(&["50", "51"])
             .expect(Expected::Bound { largest: 1e-5 })
             .mutant(WEIGHT),

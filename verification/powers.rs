@@ -2,6 +2,7 @@
 //! semi-discrete equations, and rest across a jump of the volume fraction.
 
 use crate::balance::{self, random};
+use crate::rungs::every_rung;
 use crate::water::{WaterMixture, periodic, water};
 use alluvium::budget::Account;
 use alluvium::kernel::WendlandC2;
@@ -27,29 +28,16 @@ const NO_COMPRESSION: &str = "compression not booked";
 const NO_WALL: &str = "compression of the extrapolated wall not booked";
 
 pub fn studies() -> Vec<Study> {
-    let mut studies = vec![
-        identity::<f64, 2>("powers/dynamic walls/2d/f64", (WallKind::Dynamic, false), 1e-13),
-        identity::<f64, 3>("powers/dynamic walls/3d/f64", (WallKind::Dynamic, false), 1e-13),
-        identity::<f32, 2>("powers/dynamic walls/2d/f32", (WallKind::Dynamic, false), 1e-5),
-        identity::<f32, 3>("powers/dynamic walls/3d/f32", (WallKind::Dynamic, false), 1e-5),
-    ];
+    let mut studies = Vec::new();
+    studies.extend(every_rung!(identity, "powers/dynamic walls", (WallKind::Dynamic, false); 1e-13, 1e-5));
+    studies.extend(every_rung!(identity, "powers/corrected", (WallKind::Dynamic, true); 1e-13, 1e-5));
     for (name, slip) in [("no slip", Slip::NoSlip), ("free slip", Slip::FreeSlip)] {
         let kind = WallKind::Extrapolated { slip, suction: true };
-        studies.push(identity::<f64, 2>(&format!("powers/{name} walls/2d/f64"), (kind, false), 1e-13));
-        studies.push(identity::<f64, 2>(
-            &format!("powers/corrected/{name} walls/2d/f64"),
-            (kind, true),
-            1e-13,
-        ));
+        let (plain, corrected) = (format!("powers/{name} walls"), format!("powers/corrected/{name} walls"));
+        studies.extend(every_rung!(identity, plain, (kind, false); 1e-13, 1e-5));
+        studies.extend(every_rung!(identity, corrected, (kind, true); 1e-13, 1e-5));
     }
-    studies.extend([
-        identity::<f64, 2>("powers/corrected/2d/f64", (WallKind::Dynamic, true), 1e-13),
-        identity::<f64, 3>("powers/corrected/3d/f64", (WallKind::Dynamic, true), 1e-13),
-        identity::<f32, 2>("powers/corrected/2d/f32", (WallKind::Dynamic, true), 1e-5),
-        jump::<f64, 2>("jump/2d/f64", 1e-13),
-        jump::<f64, 3>("jump/3d/f64", 1e-13),
-        jump::<f32, 2>("jump/2d/f32", 1e-5),
-    ]);
+    studies.extend(every_rung!(jump, "jump"; 1e-13, 1e-5));
     studies
 }
 

@@ -1,105 +1,196 @@
-//! Single precision against double, resolution by resolution, and how fast each is.
+//! Single precision against double, resolution by resolution; where it stops converging, what places relative to
+//! cells would bring, and how fast each is.
 
-use crate::motions::{Run, WATER, alone, darcy, errors_alone, errors_together, fluid, skeleton, together};
+use crate::kept_places::Places;
+use crate::motions::{Run, WATER, darcy, errors_alone, errors_together, flow, fluid, mixed, skeleton};
 use alluvium::Real;
+use alluvium::parallel::Threads;
 use alluvium::time::VelocityVerlet;
 use alluvium::verify::plot::{Chart, Series};
-use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
-use std::time::Instant;
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study, observed_orders};
+use cpu_time::ThreadTime;
 
 const SOURCE: &str = "the same run in double precision";
 const FAR: &str = "a thousand lengths from the origin";
+const ONE_CELL: &str = "one cell from the origin to the end of the box";
 
 /// Which manufactured motion.
 #[derive(Clone, Copy)]
-enum Motion {
+pub enum Motion {
     Water,
     Both,
 }
 
+/// It, followed with more and more particles along an edge.
+#[derive(Clone, Copy)]
+struct Ladder {
+    motion: Motion,
+    sides: &'static [usize],
+    /// h/Δx.
+    ratio: f64,
+    /// Where the box of length one begins \[m\].
+    origin: f64,
+}
+
 pub fn studies() -> Vec<Study> {
-    let study = |name: &str, motion, sides, ratio, largest| {
-        let name = format!("precision/manufactured/{name}");
-        precision(name, motion, sides, ratio).expect(Expected::Bound { largest }).mutant(FAR)
-    };
+    let (water, both) = (Motion::Water, Motion::Both);
+    let of = |motion, sides: &'static [usize]| Ladder { motion, sides, ratio: 2.0, origin: 0.0 };
+    let far = |metres, ladder| Ladder { origin: metres, ..ladder };
+    // At h = dx disorder grows, out of nothing but rounding: by 64 particles single precision is lost.
+    let narrow = Ladder { ratio: 1.0, ..of(water, &[16, 32, 48]) };
     vec![
-        study("h = 2 dx", Motion::Water, &[12, 24, 48], 2.0, 1e-3).level(Level::Quick),
-        study("h = 2 dx/fine", Motion::Water, &[16, 32, 64, 96], 2.0, 1e-3).level(Level::Full),
-        // At h = dx disorder grows, out of nothing but rounding: by 64 particles single precision is lost.
-        study("h = dx", Motion::Water, &[16, 32, 48], 1.0, 0.1)
-            .level(Level::Full)
+        as_double::<2>("h = 2 dx", of(water, &[12, 24, 48]), 1e-3).level(Level::Quick),
+        as_double::<2>("h = 2 dx/fine", of(water, &[16, 32, 64, 96]), 1e-3),
+        as_double::<3>("h = 2 dx/3d", of(water, &[8, 12, 16]), 1e-3),
+        as_double::<2>("h = dx", narrow, 0.1)
             .falls_short(Expected::Bound { largest: 0.17 }, "disorder grows out of rounding"),
-        study("both/h = 2 dx", Motion::Both, &[12, 24], 2.0, 1e-3).level(Level::Quick),
-        study("both/h = 2 dx/fine", Motion::Both, &[16, 32, 48], 2.0, 1e-3).level(Level::Full),
+        as_double::<2>("both/h = 2 dx", of(both, &[12, 24]), 1e-3).level(Level::Quick),
+        as_double::<2>("both/h = 2 dx/fine", of(both, &[16, 32, 48]), 1e-3),
+        as_double::<3>("both/h = 2 dx/3d", of(both, &[8, 12, 16]), 1e-3),
+        in_cells::<2>("from 100 m on", far(1e2, of(water, &[24, 48, 96]))),
+        in_cells::<2>("from 1000 m on", far(1e3, of(water, &[12, 24, 48]))),
+        in_cells::<2>("both/from 1000 m on", far(1e3, of(both, &[12, 24, 48]))),
     ]
 }
 
-fn precision(name: String, motion: Motion, sides: &'static [usize], ratio: f64) -> Study {
-    let title = name.clone();
-    let of = match motion {
+/// Near the origin.
+fn as_double<const D: usize>(name: &str, ladder: Ladder, largest: f64) -> Study {
+    let claim = "has the same error in single precision as in double, whether places are kept relative to the origin or \
+                 to cells of 2h (values: relative difference of the two errors, by particles along an edge)";
+    study::<D>(name, ladder, claim, |errors| {
+        let from = |what: &'static str, found: f64| (what, found / errors.double - 1.0);
+        vec![from("f32", errors.single), from("f32 in cells", errors.cells)]
+    })
+    .expect(Expected::Bound { largest })
+    .mutant(FAR)
+}
+
+/// Far from it.
+fn in_cells<const D: usize>(name: &str, ladder: Ladder) -> Study {
+    let claim = "that begins far from the origin has with places kept as singles relative to cells of 2h the error it has \
+                 in double precision; where single precision stops converging is noted (values: relative difference of \
+                 the two errors, by particles along an edge)";
+    study::<D>(name, ladder, claim, |errors| vec![("f32 in cells", errors.cells / errors.double - 1.0)])
+        .expect(Expected::Bound { largest: 1e-3 })
+        .mutant(ONE_CELL)
+}
+
+fn study<const D: usize>(
+    name: &str,
+    ladder: Ladder,
+    claim: &str,
+    judged: fn(&Errors) -> Vec<(&'static str, f64)>,
+) -> Study {
+    let name = format!("precision/manufactured/{name}");
+    let of = match ladder.motion {
         Motion::Water => "flow of water",
         Motion::Both => "motion of soil and water",
     };
-    Study::new(
-        name,
-        format!(
-            "a manufactured {of} has the same error in single precision as in double (values: relative \
-             difference of the two errors, by particles along an edge)"
-        ),
-        move |conditions| {
-            let (single, double) = (runs::<f32>(motion, sides, ratio, conditions), runs::<f64>(motion, sides, ratio, conditions));
-            let difference = |k: usize| (format!("{}", sides[k]), single[k].error / double[k].error - 1.0);
-            let measured = Measured::values((0..sides.len()).map(difference));
-            let row = |(single, double): (&Ran, &Ran)| {
-                format!(
-                    "{} particles along an edge: error {:.4e} at {:.2e} particle-steps per second in f64, {:.4e} at \
-                     {:.2e} in f32, sources included",
-                    (1.0 / double.spacing).round(), double.error, double.speed, single.error, single.speed
-                )
-            };
-            let measured = single.iter().zip(&double).map(row).fold(measured, Measured::note);
-            let points = |runs: &[Ran]| runs.iter().map(|ran| (ran.spacing, ran.error)).collect::<Vec<_>>();
-            let named = |what: &str, runs: &[Ran]| {
-                format!("{what}, {:.1e} particle-steps/s", runs.last().map_or(f64::NAN, |ran| ran.speed))
-            };
-            measured.picture(
-                &Chart::new(&title, "resolution [m]", "relative error of the velocity [-]")
-                    .logarithmic(true, true)
-                    .with(Series::line(&named("f64", &double), points(&double)))
-                    .with(Series::points(&named("f32", &single), points(&single))),
-            )
-        },
-    )
+    Study::new(name.clone(), format!("a manufactured {of} {claim}"), move |conditions| {
+        let all: Vec<Errors> =
+            ladder.sides.iter().map(|&side| errors::<D>(ladder, side, conditions)).collect();
+        let values = ladder.sides.iter().zip(&all).flat_map(|(side, errors)| {
+            judged(errors).into_iter().map(move |(what, value)| (format!("{what}, {side}"), value))
+        });
+        report(&name, ladder, &all, Measured::values(values))
+    })
     .equations(&["52", "58"])
     .source(SOURCE)
+    .level(Level::Full)
 }
 
-/// One run.
-struct Ran {
-    spacing: f64,
-    /// Of the velocity (of both: with that of the stress), relative.
-    error: f64,
-    /// Particle-steps per second.
-    speed: f64,
+/// Of the velocity (of both: with that of the stress), relative; and particle-steps per second of one core.
+struct Errors {
+    double: f64,
+    single: f64,
+    /// In double precision with places as singles relative to cells have them: the pair vectors of single precision
+    /// with places relative to cells. What that does to other numbers `precision/places` shows to be little.
+    cells: f64,
+    speeds: [f64; 2],
 }
 
-fn runs<T: Real>(motion: Motion, sides: &[usize], ratio: f64, conditions: &Conditions) -> Vec<Ran> {
-    let ran = |&side: &usize| {
-        let origin = if conditions.is(FAR) { 1e3 } else { 0.0 };
-        let run = Run { origin, ..Run::new(side, ratio) };
-        let start = Instant::now();
-        let (error, particles) = match motion {
-            Motion::Water => {
-                let mixture = alone::<T, 2>(run, fluid(WATER.viscosity), VelocityVerlet::new());
-                (errors_alone(&mixture)[0], mixture.water().len())
-            }
-            Motion::Both => {
-                let mixture = together::<T, 2, _>(run, skeleton(), darcy(1.0), VelocityVerlet::new());
-                (errors_together(&mixture)[0], mixture.soil().len() + mixture.water().len())
-            }
-        };
-        let speed = (particles * run.steps) as f64 / start.elapsed().as_secs_f64();
-        Ran { spacing: 1.0 / side as f64, error, speed }
+fn errors<const D: usize>(ladder: Ladder, side: usize, conditions: &Conditions) -> Errors {
+    let origin = if conditions.is(FAR) { 1e3 } else { ladder.origin };
+    let run = Run { origin, ..Run::new(side, ladder.ratio) };
+    let cell = if conditions.is(ONE_CELL) { f64::INFINITY } else { 2.0 * ladder.ratio / side as f64 };
+    Errors {
+        double: error::<f64, D>(ladder.motion, run),
+        single: error::<f32, D>(ladder.motion, run),
+        cells: error::<f64, D>(ladder.motion, Run { kept: Places::Singles { cell }, ..run }),
+        speeds: [speed::<f64, D>(ladder.motion, run), speed::<f32, D>(ladder.motion, run)],
+    }
+}
+
+/// At the end; NaN if the particles do not come so far.
+pub fn error<T: Real, const D: usize>(motion: Motion, run: Run) -> f64 {
+    let error = match motion {
+        Motion::Water => {
+            let mixture = flow::<T, D>(run, fluid(WATER.viscosity));
+            run.follow_for(run.steps, mixture, VelocityVerlet::new()).map(|mixture| errors_alone(&mixture)[0])
+        }
+        Motion::Both => {
+            let mixture = mixed::<T, D, _>(run, skeleton(), darcy(1.0));
+            run.follow_for(run.steps, mixture, VelocityVerlet::new())
+                .map(|mixture| errors_together(&mixture)[0])
+        }
     };
-    sides.iter().map(ran).collect()
+    error.unwrap_or(f64::NAN)
+}
+
+/// Over some steps without sources, whose derivatives would take most of the time.
+fn speed<T: Real, const D: usize>(motion: Motion, run: Run) -> f64 {
+    const STEPS: usize = 20;
+    let run = Run { driven: false, ..run };
+    Threads::new(1).expect("a thread").install(|| match motion {
+        Motion::Water => {
+            let mixture = flow::<T, D>(run, fluid(WATER.viscosity));
+            let (particles, start) = (mixture.water().len(), ThreadTime::now());
+            run.follow_for(STEPS, mixture, VelocityVerlet::new()).expect("steps");
+            (particles * STEPS) as f64 / start.elapsed().as_secs_f64()
+        }
+        Motion::Both => {
+            let mixture = mixed::<T, D, _>(run, skeleton(), darcy(1.0));
+            let (particles, start) = (mixture.soil().len() + mixture.water().len(), ThreadTime::now());
+            run.follow_for(STEPS, mixture, VelocityVerlet::new()).expect("steps");
+            (particles * STEPS) as f64 / start.elapsed().as_secs_f64()
+        }
+    })
+}
+
+/// One table and one picture.
+fn report(name: &str, ladder: Ladder, all: &[Errors], measured: Measured) -> Measured {
+    let spacing = |k: usize| 1.0 / ladder.sides[k] as f64;
+    let curve = |of: fn(&Errors) -> f64| -> Vec<(f64, f64)> {
+        all.iter().enumerate().map(|(k, errors)| (spacing(k), of(errors))).collect()
+    };
+    let curves: [Vec<(f64, f64)>; 3] = [curve(|e| e.double), curve(|e| e.single), curve(|e| e.cells)];
+    let orders = curves.each_ref().map(|curve| observed_orders(curve));
+    let row = |k: usize| {
+        let order = |of: usize| k.checked_sub(1).map_or(String::new(), |k| format!("{:.2}", orders[of][k]));
+        let error = |of: usize| format!("{:.4e}", curves[of][k].1);
+        let [double, single] = all[k].speeds.map(|speed| format!("{:.2}", 1e-6 * speed));
+        let side = ladder.sides[k].to_string();
+        [side, error(0), order(0), error(1), order(1), error(2), order(2), double, single]
+    };
+    let heading =
+        ["particles", "f64", "order", "f32", "order", "f32 in cells", "order", "f64, M/s", "f32, M/s"];
+    let lost = (1..all.len()).find(|&k| orders[1][k - 1] < 0.5 && orders[0][k - 1] >= 0.5);
+    let where_lost = match lost {
+        Some(k) => format!("stops converging between {} and {}", ladder.sides[k - 1], ladder.sides[k]),
+        None => format!("converges as far as it was followed, to {}", ladder.sides[all.len() - 1]),
+    };
+    let rows: Vec<_> = (0..all.len()).map(row).collect();
+    let [double, single, cells] = curves;
+    let last = all.last().map_or([f64::NAN; 2], |errors| errors.speeds.map(|speed| 1e-6 * speed));
+    measured
+        .table(heading, rows)
+        .note(format!("single precision {where_lost} particles along an edge"))
+        .note("M/s: millions of particle-steps a second of one core, without sources")
+        .picture(
+            &Chart::new(name, "resolution [m]", "relative error of the velocity [-]")
+                .logarithmic(true, true)
+                .with(Series::line(&format!("f64, {:.1} M/s", last[0]), double))
+                .with(Series::points(&format!("f32, {:.1} M/s", last[1]), single))
+                .with(Series::points("f32 in cells of 2h", cells)),
+        )
 }

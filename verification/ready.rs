@@ -12,6 +12,8 @@ use crate::driver::{cone, elasticity, soil};
 
 pub fn studies() -> Vec<Study> {
     let mut studies = searches::<f64, 2>();
+    studies.extend(searches::<f64, 3>());
+    studies.extend(searches::<f32, 2>());
     studies.extend(searches::<f32, 3>());
     studies.extend(of::<f64>());
     studies.extend(of::<f32>());

@@ -1,6 +1,6 @@
 //! Water in soil, in time: it seeps through as Darcy's law has it, and rests where it should.
 
-use crate::soil::elastic;
+use crate::soil::{along, elastic};
 use crate::water::periodic;
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{
@@ -22,10 +22,14 @@ pub fn studies() -> Vec<Study> {
         darcy::<f64, 2>("mixture/darcy/2d/f64"),
         darcy::<f64, 3>("mixture/darcy/3d/f64"),
         darcy::<f32, 2>("mixture/darcy/2d/f32"),
-        rest("mixture/saturated bed/quick", Bed { spacing: 0.00625, ..FLUSH }, 0.02),
-        rest("mixture/saturated bed/as in the paper", FLUSH, 0.5).level(Level::Full),
-        rest("mixture/saturated bed/under water", Bed { above: 0.05, ..FLUSH }, 0.5).level(Level::Full),
-        rest("mixture/saturated bed/under water, no corners", WITHOUT_CORNERS, 0.1),
+        darcy::<f32, 3>("mixture/darcy/3d/f32"),
+        rest::<f64>("mixture/saturated bed/quick", Bed { spacing: 0.00625, ..FLUSH }, 0.02),
+        rest::<f32>("mixture/saturated bed/quick/f32", Bed { spacing: 0.00625, ..FLUSH }, 0.02),
+        rest::<f64>("mixture/saturated bed/as in the paper", FLUSH, 0.5).level(Level::Full),
+        rest::<f64>("mixture/saturated bed/under water", Bed { above: 0.05, ..FLUSH }, 0.5)
+            .level(Level::Full),
+        rest::<f64>("mixture/saturated bed/under water, no corners", WITHOUT_CORNERS, 0.1),
+        rest::<f32>("mixture/saturated bed/under water, no corners/f32", WITHOUT_CORNERS, 0.1),
     ]
 }
 
@@ -115,11 +119,11 @@ struct Bed {
 const FLUSH: Bed = Bed { spacing: 0.005, width: 0.45, above: 0.0, is_bare: false };
 const WITHOUT_CORNERS: Bed = Bed { spacing: 0.0125, width: 0.15, above: 0.05, is_bare: true };
 
-fn rest(name: &str, bed: Bed, end: f64) -> Study {
+fn rest<T: Real>(name: &str, bed: Bed, end: f64) -> Study {
     Study::new(
         name,
         "a saturated bed of soil laid under its buoyant weight rests (values: rms velocity in m/s)",
-        move |conditions| Measured::values(velocities(bed, end, conditions)),
+        move |conditions| Measured::values(velocities::<T>(bed, end, conditions)),
     )
     .equations(&["55", "58", "68", "75", "76"])
     .source("nothing drives it")
@@ -127,57 +131,63 @@ fn rest(name: &str, bed: Bed, end: f64) -> Study {
     .mutant(DRY)
 }
 
-fn velocities(bed: Bed, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
-    let Bed { spacing, width, above, is_bare } = bed;
-    let (height, volume) = (0.175, spacing * spacing);
-    let level = height + (above / spacing).round() * spacing;
-    let weight = if conditions.is(DRY) { 2700.0 } else { 1700.0 } * GRAVITY;
-    let elasticity = Elasticity::from_bulk(125e6, 0.3).expect("moduli");
-    let cone = DruckerPrager::new(Cone::PlaneStrain, 25_f64.to_radians(), 0.0).expect("a cone");
-    let ratio = LateralRatio::new(&elasticity, &cone).admissible();
-    let walls: Vec<Vector<f64, 2>> =
-        setup::tank([0.0; 2], [width, level], spacing, 3, [(!is_bare, !is_bare), (true, false)]);
-    let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < height);
-    let mut soil = Phase::new(Soil::new(2700.0, elasticity, cone).expect("a soil"));
-    let sticks = || Wall::extrapolated(Slip::NoSlip);
-    soil.add_wall(sticks(), &beside, volume, |_| 0.0).expect("walls");
-    soil.add_wall(sticks().apart(), &over, volume, |_| 0.0).expect("walls");
-    soil.add(&setup::fill([0.0; 2], [width, height], spacing), volume, |_| 0.0).expect("soil");
-    soil.set_volume_fraction(|_| 0.5);
-    soil.set_stress(|x| {
-        let vertical = -weight * (height - x[1]).max(0.0);
-        let mut stress = SymTensor::isotropic(ratio * vertical);
-        stress.0[SymTensor::<f64>::index(1, 1)] = vertical;
-        stress
-    });
-    let mut water = Phase::new(Water::new(1000.0, 250.0).expect("water"));
-    let pressure = setup::hydrostatic(1000.0, GRAVITY, 1, level);
-    water.add_wall(Wall::extrapolated(Slip::FreeSlip), &walls, volume, &pressure).expect("walls");
-    water.add(&setup::fill([0.0; 2], [width, level], spacing), volume, &pressure).expect("water");
-    let h = 1.5 * spacing;
-    let mixture = Mixture::new(WendlandC2::new(h).expect("a length"), soil, water)
-        .with_gravity(Vector([0.0, -GRAVITY]))
-        .with_drag(Darcy::new(Conductivity::new(5e-4).expect("a conductivity")))
-        .with_density_relaxation(200.0 * h / 250.0)
-        .expect("a time");
-    let mixture = if is_bare {
-        let undiffused = mixture.with_periodic(periodic([width, 0.0]));
-        undiffused.with_density_diffusion(DensityDiffusion::None).expect("none")
-    } else {
-        mixture
-    };
-    let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
+type Saturated<T> = Mixture<T, 2, WendlandC2<T, 2>, Soil<T>, Water<T>>;
+
+fn velocities<T: Real>(bed: Bed, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
+    let step = StepSize::courant(T::of(0.2)).expect("a number");
+    let mut run = Simulation::new(saturated::<T>(bed, conditions), LeapFrog::new(), step);
     while run.time() < end {
         if let Err(error) = run.step() {
             return vec![(error.to_string(), f64::INFINITY)];
         }
     }
-    let rms = |velocities: &[Vector<f64, 2>]| {
-        (velocities.iter().map(|v| v.norm2()).sum::<f64>() / velocities.len() as f64).sqrt()
+    let rms = |velocities: &[Vector<T, 2>]| {
+        (velocities.iter().map(|v| v.norm2().as_f64()).sum::<f64>() / velocities.len() as f64).sqrt()
     };
     let (soil, water) = (run.mixture().soil(), run.mixture().water());
     vec![
         ("soil".to_owned(), rms(&soil.velocities()[soil.wall_particles()..])),
         ("water".to_owned(), rms(&water.velocities()[water.wall_particles()..])),
     ]
+}
+
+/// At the start.
+fn saturated<T: Real>(bed: Bed, conditions: &Conditions) -> Saturated<T> {
+    let Bed { spacing, width, above, is_bare } = bed;
+    let (height, volume) = (0.175, T::of(spacing * spacing));
+    let level = height + (above / spacing).round() * spacing;
+    let weight = if conditions.is(DRY) { 2700.0 } else { 1700.0 } * GRAVITY;
+    let elasticity = Elasticity::from_bulk(T::of(125e6), T::of(0.3)).expect("moduli");
+    let cone = DruckerPrager::new(Cone::PlaneStrain, T::of(25_f64.to_radians()), T::ZERO).expect("a cone");
+    let ratio = LateralRatio::new(&elasticity, &cone).admissible();
+    let walls: Vec<Vector<T, 2>> =
+        setup::tank([0.0; 2], [width, level], spacing, 3, [(!is_bare, !is_bare), (true, false)]);
+    let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < T::of(height));
+    let mut soil = Phase::new(Soil::new(T::of(2700.0), elasticity, cone).expect("a soil"));
+    let sticks = || Wall::extrapolated(Slip::NoSlip);
+    soil.add_wall(sticks(), &beside, volume, |_| T::ZERO).expect("walls");
+    soil.add_wall(sticks().apart(), &over, volume, |_| T::ZERO).expect("walls");
+    soil.add(&setup::fill([0.0; 2], [width, height], spacing), volume, |_| T::ZERO).expect("soil");
+    soil.set_volume_fraction(|_| T::of(0.5));
+    soil.set_stress(|x| {
+        let vertical = T::of(-weight * (height - x[1].as_f64()).max(0.0));
+        let mut stress = SymTensor::isotropic(ratio * vertical);
+        stress.0[SymTensor::<T>::index(1, 1)] = vertical;
+        stress
+    });
+    let mut water = Phase::new(Water::new(T::of(1000.0), T::of(250.0)).expect("water"));
+    let pressure = setup::hydrostatic(T::of(1000.0), T::of(GRAVITY), 1, T::of(level));
+    water.add_wall(Wall::extrapolated(Slip::FreeSlip), &walls, volume, &pressure).expect("walls");
+    water.add(&setup::fill([0.0; 2], [width, level], spacing), volume, &pressure).expect("water");
+    let h = 1.5 * spacing;
+    let mixture = Mixture::new(WendlandC2::new(T::of(h)).expect("a length"), soil, water)
+        .with_gravity(along(1, -GRAVITY))
+        .with_drag(Darcy::new(Conductivity::new(T::of(5e-4)).expect("a conductivity")))
+        .with_density_relaxation(T::of(200.0 * h / 250.0))
+        .expect("a time");
+    if !is_bare {
+        return mixture;
+    }
+    let undiffused = mixture.with_periodic(periodic([width, 0.0]));
+    undiffused.with_density_diffusion(DensityDiffusion::None).expect("none")
 }

@@ -46,9 +46,11 @@ pub fn studies() -> Vec<Study> {
     studies.push(flowing::<f64, 2>("soil/powers/flowing/2d/f64", 1e-13));
     studies.push(flowing::<f64, 3>("soil/powers/flowing/3d/f64", 1e-13));
     studies.push(flowing::<f32, 2>("soil/powers/flowing/2d/f32", 1e-5));
+    studies.push(flowing::<f32, 3>("soil/powers/flowing/3d/f32", 1e-5));
     studies.push(held::<f64, 2>("soil/powers/held/2d/f64", 1e-13));
     studies.push(held::<f64, 3>("soil/powers/held/3d/f64", 1e-13));
     studies.push(held::<f32, 2>("soil/powers/held/2d/f32", 1e-5));
+    studies.push(held::<f32, 3>("soil/powers/held/3d/f32", 1e-5));
     studies.extend([
         turning::<f64, 2>("soil/objectivity/2d/f64"),
         turning::<f64, 3>("soil/objectivity/3d/f64"),

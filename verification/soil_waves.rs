@@ -7,7 +7,7 @@ use alluvium::material::{Elasticity, Soil, Unyielding};
 use alluvium::mixture::Phase;
 use alluvium::simulation::Simulation;
 use alluvium::time::{StepSize, VelocityVerlet};
-use alluvium::verify::{Conditions, Expected, Measured, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 use alluvium::{Real, setup};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -29,6 +29,7 @@ pub fn studies() -> Vec<Study> {
         studies.push(study::<f64, 2>(&format!("soil/{kind}/2d/f64"), wave, &[50, 100]));
         studies.push(study::<f32, 2>(&format!("soil/{kind}/2d/f32"), wave, &[50]));
         studies.push(study::<f64, 3>(&format!("soil/{kind}/3d/f64"), wave, &[50]));
+        studies.push(study::<f32, 3>(&format!("soil/{kind}/3d/f32"), wave, &[50]).level(Level::Full));
         studies.push(converging(&format!("soil/{kind}/order/2d/f64"), wave));
     }
     studies

@@ -57,6 +57,9 @@ pub struct Point {
     pub value: f64,
 }
 
+/// Rows of cells of text, the first of them the heading.
+pub type Table = Vec<Vec<String>>;
+
 /// What a study has measured.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Measured {
@@ -64,6 +67,8 @@ pub struct Measured {
     pub points: Vec<Point>,
     /// Further findings, for the report only.
     pub notes: Vec<String>,
+    /// Tables, for the report only.
+    pub tables: Vec<Table>,
     /// Pictures (SVG), for the report only.
     pub pictures: Vec<String>,
 }
@@ -86,6 +91,16 @@ impl Measured {
     /// Adds a finding for the report.
     pub fn note(mut self, note: impl Into<String>) -> Self {
         self.notes.push(note.into());
+        self
+    }
+    /// Adds a table for the report: its heading, and rows of as many cells.
+    pub fn table<C: Into<String>, const N: usize>(
+        mut self,
+        heading: [C; N],
+        rows: impl IntoIterator<Item = [String; N]>,
+    ) -> Self {
+        let heading: Vec<String> = heading.into_iter().map(Into::into).collect();
+        self.tables.push(core::iter::once(heading).chain(rows.into_iter().map(Vec::from)).collect());
         self
     }
     /// Adds a picture for the report.

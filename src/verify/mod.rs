@@ -50,7 +50,7 @@ pub use arrangement::{Arrangement, Random};
 pub use broken::{Broken, all};
 pub use curve::Curve;
 pub use environment::Environment;
-pub use expected::{Expected, Measured, Point};
+pub use expected::{Expected, Measured, Point, Table};
 pub use flawed::{Flawed, ShortSighted};
 pub use norms::{l_infinity, relative_l2};
 pub use order::{OrderFit, fit_order, observed_order, observed_orders};

@@ -9,12 +9,12 @@ use alluvium::mixture::{DragScheme, Mixture, Phase, VolumeFraction};
 use alluvium::neighbours::{BruteForce, Periodic};
 use alluvium::parallel::Threads;
 use alluvium::simulation::Simulation;
-use alluvium::time::{LeapFrog, StepSize};
+use alluvium::time::{Integrator, LeapFrog, StepSize, VelocityVerlet};
 use alluvium::{InstructionSet, Real, Vector, setup};
 use core::f64::consts::TAU;
 
 type Both<T, const D: usize> = Mixture<T, D, WendlandC2<T, D>, Soil<T, Unyielding>, Water<T>>;
-type Run<T, const D: usize> = Simulation<T, D, WendlandC2<T, D>, Soil<T, Unyielding>, Water<T>>;
+type Run<T, const D: usize, I> = Simulation<T, D, WendlandC2<T, D>, Soil<T, Unyielding>, Water<T>, I>;
 
 const STEPS: usize = 40;
 /// The pressure at which the water cavitates \[Pa\].
@@ -59,20 +59,14 @@ fn cloud<T: Real, const D: usize>(scheme: DragScheme) -> Both<T, D> {
         .with_volume_fraction(VolumeFraction::Sum)
 }
 
-fn run<T: Real, const D: usize>(mixture: Both<T, D>) -> Run<T, D> {
-    Simulation::new(
-        mixture,
-        LeapFrog::new().with_third_order_density(),
-        StepSize::courant(T::of(0.2)).unwrap(),
-    )
-}
-
-fn steps<T: Real, const D: usize>(run: &mut Run<T, D>, count: usize, threads: usize) {
+fn steps<T: Real, const D: usize, I: Integrator<T>>(run: &mut Run<T, D, I>, count: usize, threads: usize) {
     Threads::new(threads).unwrap().install(|| (0..count).for_each(|_| _ = run.step().unwrap()));
 }
 
-fn agrees<T: Real, const D: usize>(scheme: DragScheme) {
-    let what = format!("{} {D}D {scheme:?}", T::NAME);
+fn agrees<T: Real, const D: usize>(scheme: DragScheme, integrator: impl Integrator<T>) {
+    let what = format!("{} {D}D {scheme:?} {}", T::NAME, integrator.name());
+    let step = StepSize::courant(T::of(0.2)).unwrap();
+    let run = |mixture: Both<T, D>| Simulation::new(mixture, integrator.clone(), step);
     let own = || run(cloud::<T, D>(scheme));
     let mut whole = own();
     steps(&mut whole, STEPS, 1);
@@ -81,7 +75,7 @@ fn agrees<T: Real, const D: usize>(scheme: DragScheme) {
     assert!(renewed.into_iter().all(|times| times >= 3), "{what}: lists made {renewed:?} times");
     let open = mixture.water().pressures().iter().filter(|p| p.as_f64() == LEAST).count();
     assert!(open > 0 && open < mixture.water().len(), "{what}: {open} particles cavitate");
-    let same = |run: &Run<T, D>, how: &str| {
+    let same = |run: &Run<T, D, _>, how: &str| {
         assert_eq!(hash(run.mixture()), expected, "{what}: {how}");
         assert_eq!(run.budget(), whole.budget(), "{what}: {how}");
     };
@@ -102,13 +96,16 @@ fn agrees<T: Real, const D: usize>(scheme: DragScheme) {
 
 #[test]
 fn explicit_drag() {
-    agrees::<f64, 2>(DragScheme::Explicit);
-    agrees::<f32, 3>(DragScheme::Explicit);
+    agrees::<f64, 2>(DragScheme::Explicit, LeapFrog::new().with_third_order_density());
+    agrees::<f64, 2>(DragScheme::Explicit, LeapFrog::new());
+    agrees::<f64, 2>(DragScheme::Explicit, VelocityVerlet::new());
+    agrees::<f32, 3>(DragScheme::Explicit, LeapFrog::new().with_third_order_density());
 }
 
 #[cfg(feature = "implicit")]
 #[test]
 fn solved_drag() {
-    agrees::<f64, 2>(DragScheme::BackwardEuler);
-    agrees::<f32, 3>(DragScheme::SecondOrder);
+    agrees::<f64, 2>(DragScheme::BackwardEuler, LeapFrog::new().with_third_order_density());
+    agrees::<f64, 2>(DragScheme::BackwardEuler, VelocityVerlet::new());
+    agrees::<f32, 3>(DragScheme::SecondOrder, LeapFrog::new().with_third_order_density());
 }

@@ -385,5 +385,6 @@ fn a_resumed_run_has_the_same_bits() {
         assert_eq!(resumed.budget(), whole.budget());
     }
     resumes(LeapFrog::new());
+    resumes(LeapFrog::new().with_third_order_density());
     resumes(VelocityVerlet::new());
 }

@@ -48,7 +48,10 @@ fn a_resumed_run_has_the_same_bits() {
         resumes::<f64, _>(&wall, &LeapFrog::new().with_third_order_density());
         resumes::<f64, _>(&wall, &VelocityVerlet::new());
     }
-    resumes::<f32, _>(&Wall::extrapolated(Slip::NoSlip), &LeapFrog::new());
+    let sticky = Wall::extrapolated(Slip::NoSlip);
+    resumes::<f32, _>(&sticky, &LeapFrog::new());
+    resumes::<f32, _>(&sticky, &LeapFrog::new().with_third_order_density());
+    resumes::<f32, _>(&sticky, &VelocityVerlet::new());
 }
 
 #[test]

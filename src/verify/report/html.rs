@@ -120,6 +120,18 @@ fn write_measured(out: &mut String, study: &Study, measured: &Measured) {
         }
         out.push_str("</table>");
     }
+    for table in &measured.tables {
+        out.push_str("<table>");
+        for (k, row) in table.iter().enumerate() {
+            let cell = if k == 0 { "<th>" } else { "<td>" };
+            let _ = write!(
+                out,
+                "<tr>{}",
+                row.iter().map(|text| cell.to_owned() + &escaped(text)).collect::<String>()
+            );
+        }
+        out.push_str("</table>");
+    }
     for note in &measured.notes {
         let _ = write!(out, "<p class=\"number\">{}.", escaped(note));
     }

@@ -77,5 +77,9 @@ fn outcome_json(out: &mut String, outcome: &Outcome) {
     };
     texts(out, "notes", |measured| &measured.notes);
     texts(out, "pictures", |measured| &measured.pictures);
+    json::name(out, "tables");
+    json::list(out, outcome.measured.iter().flat_map(|measured| &measured.tables), |out, table| {
+        json::list(out, table, |out, row| json::list(out, row, |out, text| json::text(out, text)));
+    });
     out.push('}');
 }

@@ -59,6 +59,15 @@ fn details(out: &mut String, study: &Study, own: &[&Outcome]) {
                 k.checked_sub(1).and_then(|k| orders.get(k)).map_or(String::new(), |p| format!("{p:.3}"));
             let _ = writeln!(out, "| {} | {spacing} | {:.6e} | {order} |", point.label, point.value);
         }
+        for table in &measured.tables {
+            out.push('\n');
+            for (k, row) in table.iter().enumerate() {
+                let _ = writeln!(out, "| {} |", row.join(" | "));
+                if k == 0 {
+                    let _ = writeln!(out, "|{}", "---|".repeat(row.len()));
+                }
+            }
+        }
         for note in &measured.notes {
             let _ = writeln!(out, "\n{note}.");
         }

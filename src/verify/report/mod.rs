@@ -78,6 +78,7 @@ mod tests {
     fn a_report_names_what_passed_and_what_survived() {
         let study = Study::new("water/rest", "Still water stays still", |conditions| {
             Measured::errors([(0.2, 0.04), (0.1, if conditions.is("bad") { 0.04 } else { 0.01 })])
+                .table(["f64", "f32"], [["1.5".into(), "<2".into()]])
         });
         let studies = [study.expect(Expected::order(2.0, 0.1)).mutant("bad").mutant("harmless")];
         let run = |mutant: &str| studies[0].run_mutant(mutant);
@@ -91,6 +92,9 @@ mod tests {
             )
         );
         assert!(text.contains("**SURVIVED**") && text.contains("| 1.0000e-1 | 1.000000e-2 | 2.000 |"));
+        assert!(text.contains("\n| f64 | f32 |\n|---|---|\n| 1.5 | <2 |\n"));
+        assert!(report.html().contains("<tr><th>f64<th>f32<tr><td>1.5<td>&lt;2</table>"));
+        assert!(report.json().contains("\"tables\":[[[\"f64\",\"f32\"],[\"1.5\",\"<2\"]]]"));
         assert!(text.find("rest | ").unwrap() < text.find("mutant: bad").unwrap());
         assert!(report.html().contains("<tr><th>deliberate mistakes<td>1 of 2 caught"));
         let json = report.json();
