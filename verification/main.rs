@@ -38,6 +38,8 @@ mod implicit_drag;
 mod invariance;
 #[cfg(feature = "case")]
 mod jet;
+#[cfg(feature = "case")]
+mod jet_run;
 mod journal;
 mod kept_places;
 mod kernels;

@@ -49,7 +49,7 @@ fn mixture(text: &str) -> Mixture<f64, 2, WendlandC2<f64, 2>, SoilLaw<f64>> {
 
 #[test]
 fn the_case_is_the_same_again_with_every_default() {
-    for text in [JET, TUBE] {
+    for text in [JET, include_str!("../../examples/jet_3d.toml"), TUBE] {
         let case = read(text).0;
         assert_eq!(read(&case.to_string()).0, case);
     }

@@ -1,5 +1,5 @@
 //! Pictures of any run at a few instants: soil by its plastic strain; water by pressure in two dimensions, by
-//! speed in three, where all is seen from the front and above.
+//! speed in three, where all is seen from the front and above, and a bed in water cut open in the middle.
 
 use crate::plots::{Panel, ParticlePicture};
 use crate::solver::{Seen, Solver, View};
@@ -88,12 +88,23 @@ impl<'a> Gallery<'a> {
     /// Slices of one spacing across z, the farthest first.
     fn layers(&self, view: &View, of: impl Fn(&Seen) -> f64 + Copy) -> Vec<Vec<([f64; 2], f64)>> {
         let slice = |seen: &&Seen| (seen.place[2] / self.case.particles.spacing).floor() as i64;
-        let mut far_to_near: Vec<&Seen> = self.particles(view).iter().collect();
+        let inside = |seen: &&Seen| seen.place[2] < self.cut();
+        let mut far_to_near: Vec<&Seen> = self.particles(view).iter().filter(inside).collect();
         far_to_near.sort_by_key(slice);
         far_to_near
             .chunk_by(|a, b| slice(a) == slice(b))
             .map(|slice| layer(slice.iter().copied(), of))
             .collect()
+    }
+
+    /// Where along z what is nearer is left out: of soil with water, whose holes are inside, the middle of the tank.
+    fn cut(&self) -> f64 {
+        match &self.case.tank {
+            Some(tank) if self.case.soil.is_some() && self.case.water.is_some() => {
+                0.5 * (tank.low[2] + tank.high[2])
+            }
+            _ => f64::INFINITY,
+        }
     }
 
     /// What is shown: the tank, or what there is at the start with room around them.

@@ -62,9 +62,9 @@ impl Jet {
     }
 
     fn text(&self, options: &ReproduceOptions) -> String {
-        // In soil, water is 1.4 spacings apart: 1.5 are enough for what is measured in a hundredth of a second.
-        let sizes = match options.preset {
-            PresetName::Default => "smoothing_ratio = 1.5",
+        // Water boils at −1 atm (decision 25); as printed it bears any suction.
+        let boils = match options.preset {
+            PresetName::Default => "cavitation_pressure_pa = -101325.0\n",
             PresetName::Paper => "",
         };
         let (preset, precision) = (options.preset.preset(), options.precision.name());
@@ -74,12 +74,12 @@ impl Jet {
         let end = dumps.last().copied().unwrap_or(0.01);
         format!(
             "name = \"{name}\"\npreset = \"{preset}\"\nprecision = \"{precision}\"\nend_time_s = {end:?}\n\
-             [particles]\nspacing_m = {spacing:?}\n{sizes}\n\
+             [particles]\nspacing_m = {spacing:?}\n\
              [soil]\nreference_density_kg_per_m3 = 2700.0\nvolume_fraction = {fraction:?}\n\
              bulk_modulus_pa = 125.0e6\npoissons_ratio = 0.3\nfriction_angle_deg = {FRICTION_ANGLE:?}\n\
              dilatancy_angle_deg = {dilatancy:?}\n\
              [[soil.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [{width:?}, {height:?}]\n\
-             [water]\nsound_speed_m_per_s = 250.0\n\
+             [water]\nsound_speed_m_per_s = 250.0\n{boils}\
              [[water.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [{width:?}, {height:?}]\n\
              [[water.inflow]]\nlow_m = [{left:?}, {mouth:?}]\nhigh_m = [{right:?}, {:?}]\n\
              velocity_m_per_s = [0.0, {:?}]\n\

@@ -6,10 +6,11 @@ use crate::reproduce::bars::Bars;
 use crate::reproduce::head;
 use crate::reproduce::ledger::Ledger;
 use crate::run::Finished;
-use crate::solver::quantity;
+use crate::solver::{Parcels, quantity};
 use alluvium::case::Case;
 use alluvium::output::Table;
-use alluvium::verify::jet::TANK;
+use alluvium::verify::Parcel;
+use alluvium::verify::jet::{TANK, overflow};
 
 /// When the hole is measured \[s\].
 const MEASURED: f64 = 0.01;
@@ -42,6 +43,9 @@ pub fn bars(watch: &Watch, history: &Table, ledger: &Ledger) -> String {
         table.add("its width at half the depth", width, "none", None);
         let ratio = format!("{:.2}", look.hole.roundness());
         table.add("that over the width at a tenth of it (U 1, V ½)", ratio, "none", None);
+        let curvature = format!("{:.1} /m", look.hole.curvature());
+        table.add("curvature of its floor", curvature, "none", None);
+        table.add("its section", format!("{:.1} cm²", 1e4 * look.hole.area()), "none", None);
     }
     let fractions = watch.looks.iter().flat_map(|look| &look.parcels.water).map(|it| it.fraction);
     let (least, most) = fractions.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
@@ -57,10 +61,14 @@ pub fn bars(watch: &Watch, history: &Table, ledger: &Ledger) -> String {
         "-0.25 to 0.8 MPa",
         Some(within),
     );
-    let over = watch.looks.last().map_or(0, |look| {
-        look.parcels.soil.iter().filter(|it| !(0.0..=TANK[0]).contains(&it.place[0])).count()
-    });
-    table.add("soil particles beyond the rim at the end", format!("{over}"), "none", None);
+    for (what, of) in
+        [("soil", |it| &it.soil), ("water", |it| &it.water)] as [(&str, fn(&Parcels) -> &[Parcel]); 2]
+    {
+        let Some(look) = watch.looks.last() else { continue };
+        let [above, beyond] = overflow(of(&look.parcels)).map(|area| format!("{:.1} cm²", 1e4 * area));
+        let when = format!("{what} above the rim at {:.0} ms, and of it beyond the tank", 1e3 * look.time);
+        table.add(&when, format!("{above}, {beyond}"), "none", None);
+    }
     energies(&mut table, history, ledger);
     table.markdown()
 }

@@ -1,6 +1,6 @@
 //! The hole against the conductivity of the soil (Fig. 17) and against its volume fraction (Fig. 18).
 
-use super::{Jet, Watch};
+use super::{FRICTION_ANGLE, Jet, Watch};
 use crate::arguments::{OutputOptions, PresetName, ReproduceOptions};
 use crate::folder::RunFolder;
 use crate::manifest::Manifest;
@@ -22,18 +22,27 @@ const FRACTIONS: [f64; 3] = [0.4, 0.5, 0.6];
 /// When holes are compared \[s\].
 const WHEN: [f64; 3] = [0.0, 0.005, 0.01];
 
-/// Fig. 17.
+/// Fig. 17, with the paper's flow rule, and by default of soil that keeps its volume as well.
 pub fn conductivity(options: &ReproduceOptions) -> Result<(), Failure> {
     let count = match (options.quick, options.preset) {
         (true, _) => QUICK,
         (false, PresetName::Paper) => EVALUATED,
         (false, PresetName::Default) => CONDUCTIVITIES.len(),
     };
-    let jets = CONDUCTIVITIES[..count].iter().map(|&k| {
-        let jet = Jet::of_the_paper(options);
-        (k, Jet { name: format!("k_{k:e}"), conductivity: k, dumps: WHEN.to_vec(), ..jet })
-    });
-    compare(options, Axis { name: "conductivity [m/s]", is_logarithmic: true }, jets.collect())
+    let jet = Jet::of_the_paper(options);
+    let mut rules = vec![("", jet.dilatancy)];
+    if jet.dilatancy < FRICTION_ANGLE {
+        rules.push(("associated_", FRICTION_ANGLE));
+    }
+    let of_rule = |(rule, dilatancy): (&'static str, f64)| {
+        let jet = jet.clone();
+        CONDUCTIVITIES[..count].iter().map(move |&k| {
+            let name = format!("{rule}k_{k:e}");
+            (k, Jet { name, conductivity: k, dilatancy, dumps: WHEN.to_vec(), ..jet.clone() })
+        })
+    };
+    let jets = rules.into_iter().flat_map(of_rule).collect();
+    compare(options, Axis { name: "conductivity [m/s]", is_logarithmic: true }, jets)
 }
 
 /// Fig. 18.
@@ -61,7 +70,6 @@ struct Axis {
 
 /// Runs each in a folder of its own; a table, pictures, a report.
 fn compare(options: &ReproduceOptions, axis: Axis, jets: Vec<(f64, Jet)>) -> Result<(), Failure> {
-    let what = axis.name;
     let path = options.output.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(&options.name));
     let mut folder = RunFolder::create(&path, options.output.existing)?;
     let case = jets[0].1.case(options)?.0;
@@ -75,36 +83,67 @@ fn compare(options: &ReproduceOptions, axis: Axis, jets: Vec<(f64, Jet)>) -> Res
         let watch = jet.run(options, output)?;
         done.push((value, watch, scheme, clock.elapsed().as_secs_f64()));
     }
-    let columns = [what, "depth [m]", "width_at_half_depth [m]", "roundness [-]"];
-    let mut table = TableWriter::create(folder.file("holes.csv")?, &columns)?;
-    let mut report = format!(
-        "# {}\n\n| {what} | depth [mm] | width at half depth [mm] | over that at a tenth | drag | run [s] |\n\
-         |---|---|---|---|---|---|\n",
-        options.name
-    );
-    let mut chart = Chart::new("The hole at 10 ms", "x [m]", "y [m]").y_range(0.05, TANK[1] + 0.05);
-    let mut depths = Vec::new();
-    for (value, watch, scheme, seconds) in &done {
-        let Some(hole) = Watch::hole_at(watch, WHEN[2]).map(|look| &look.hole) else { continue };
-        let (depth, width, roundness) = (hole.depth(), hole.width_at(0.5), hole.roundness());
-        table.row(&[*value, depth, width, roundness].map(Into::into))?;
-        writeln!(
-            report,
-            "| {value:e} | {:.1} | {:.0} | {roundness:.2} | {scheme} | {seconds:.0} |",
-            1e3 * depth,
-            1e3 * width
-        )
-        .expect("a string");
-        chart = chart.with(Series::line(&format!("{value:e}"), hole.floor.clone()));
-        depths.push((*value, depth));
-    }
-    let title = "Depth of the hole at 10 ms";
-    let depth = Chart::new(title, what, "depth [m]").logarithmic(axis.is_logarithmic, false);
-    folder.write("pictures/depths.svg", &depth.with(Series::points("depth", depths)).svg())?;
-    folder.write("pictures/holes.svg", &chart.svg())?;
-    folder.write("report.md", &report)?;
+    let report = Holes { axis: &axis, done: &done }.write(&mut folder, &options.name)?;
     screen::print(report)?;
     screen::print(format_args!("picture in {}", folder.path().join("pictures").display()))?;
     manifest.end("done".to_owned(), 0);
     manifest.write(&mut folder)
+}
+
+/// The runs of a series, with the value they differ in, how drag was taken and how long it took \[s\].
+struct Holes<'a> {
+    axis: &'a Axis,
+    done: &'a [(f64, Watch, &'static str, f64)],
+}
+
+impl Holes<'_> {
+    /// The table, as a file and as a report, and the charts.
+    fn write(&self, folder: &mut RunFolder, title: &str) -> Result<String, Failure> {
+        let what = self.axis.name;
+        let columns = [
+            "ψ [°]",
+            what,
+            "depth [m]",
+            "width_at_half_depth [m]",
+            "roundness [-]",
+            "curvature [1/m]",
+            "section [m²]",
+        ];
+        let mut table = TableWriter::create(folder.file("holes.csv")?, &columns)?;
+        let mut report = format!(
+            "# {title}\n\n| ψ [°] | {what} | depth [mm] | width at half depth [mm] | over that at a tenth | \
+             curvature of the floor [1/m] | section [cm²] | drag | run [s] |\n|---|---|---|---|---|---|---|---|---|\n",
+        );
+        let mut floors = Chart::new("The hole at 10 ms", "x [m]", "y [m]").y_range(0.05, TANK[1] + 0.05);
+        let mut depths: Vec<(f64, Vec<(f64, f64)>)> = Vec::new();
+        for (value, watch, scheme, seconds) in self.done {
+            let Some(hole) = watch.hole_at(WHEN[2]).map(|look| &look.hole) else { continue };
+            let (psi, depth, width, roundness) =
+                (watch.jet.dilatancy, hole.depth(), hole.width_at(0.5), hole.roundness());
+            let (curvature, section) = (hole.curvature(), hole.area());
+            table.row(&[psi, *value, depth, width, roundness, curvature, section].map(Into::into))?;
+            let [depth_mm, width_mm] = [depth, width].map(|it| 1e3 * it);
+            writeln!(
+                report,
+                "| {psi} | {value:e} | {depth_mm:.1} | {width_mm:.0} | {roundness:.2} | {curvature:.1} | {:.1} | {scheme} | \
+                 {seconds:.0} |",
+                1e4 * section
+            )
+            .expect("a string");
+            floors = floors.with(Series::line(&format!("ψ = {psi}°, {value:e}"), hole.floor.clone()));
+            match depths.iter_mut().find(|(of, _)| *of == psi) {
+                Some((_, points)) => points.push((*value, depth)),
+                None => depths.push((psi, vec![(*value, depth)])),
+            }
+        }
+        let chart = Chart::new("Depth of the hole at 10 ms", what, "depth [m]")
+            .logarithmic(self.axis.is_logarithmic, false);
+        let chart = depths
+            .into_iter()
+            .fold(chart, |chart, (psi, points)| chart.with(Series::points(&format!("ψ = {psi}°"), points)));
+        folder.write("pictures/depths.svg", &chart.svg())?;
+        folder.write("pictures/holes.svg", &floors.svg())?;
+        folder.write("report.md", &report)?;
+        Ok(report)
+    }
 }
