@@ -89,7 +89,7 @@ impl Hole {
         2.0 * above / below
     }
 
-    /// Section \[m²\] below the rim.
+    /// Section \[m²\] below the rim, voids in the soil with all above them.
     pub fn area(&self) -> f64 {
         let step = TANK[0] / self.floor.len().max(1) as f64;
         self.floor.iter().map(|(_, y)| (TANK[1] - y).max(0.0) * step).sum()
@@ -98,7 +98,8 @@ impl Hole {
 
 /// Matter \[m²\] that was lifted above the rim, and the part of it that is outside the tank's width.
 pub fn overflow(parcels: &[Parcel]) -> [f64; 2] {
-    let matter = |out: fn(&Parcel) -> bool| parcels.iter().filter(|it| out(it)).map(|it| it.matter).sum();
+    let matter =
+        |out: fn(&Parcel) -> bool| parcels.iter().filter(|it| out(it)).fold(0.0, |sum, it| sum + it.matter);
     let beyond = |it: &Parcel| !(0.0..=TANK[0]).contains(&it.place[0]);
     [matter(|it| it.place[1] > TANK[1]), matter(beyond)]
 }
