@@ -1,7 +1,7 @@
 //! Drag solved over the step, in time: orders where the step resolves the stopping time, what is left of them where
 //! it does not, and the terminal slip at any step.
 
-use crate::rungs::{every_rung, in_space_at_length};
+use crate::rungs::every_rung;
 use crate::soil::{along, elastic};
 use crate::water::periodic;
 use alluvium::kernel::WendlandC2;
@@ -9,7 +9,7 @@ use alluvium::material::{Conductivity, Darcy, Soil, Unyielding, Water};
 use alluvium::mixture::{DragScheme, Mixture, Phase, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{Evolve, Integrator, LeapFrog, Moment, StepSize};
-use alluvium::verify::{Expected, Measured, Study};
+use alluvium::verify::{Expected, Level, Measured, Study};
 use alluvium::{Real, Vector, setup};
 
 type Both<T, const D: usize> = Mixture<T, D, WendlandC2<T, D>, Soil<T, Unyielding>, Water<T>>;
@@ -29,7 +29,8 @@ pub fn studies() -> Vec<Study> {
     studies.extend(every_rung!(driven, "implicit drag/reduced order"; &[20, 40, 80], &[20, 40, 80]));
     // Sums of some fifty terms, each rounded.
     studies.extend(every_rung!(terminal, "implicit drag/terminal slip"; 1e-6, 1e-5));
-    studies.into_iter().map(in_space_at_length).collect()
+    let in_space = |study: &Study| study.name.contains("/3d/");
+    studies.into_iter().map(|study| if in_space(&study) { study.level(Level::Full) } else { study }).collect()
 }
 
 fn law<T: Real>(k: f64) -> Darcy<T> {

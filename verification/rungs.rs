@@ -1,7 +1,5 @@
 //! A study in both dimensions and both precisions.
 
-use alluvium::verify::{Level, Study};
-
 /// `study::<T, D>("name/2d/f64", …, bar)` and its three siblings, with one bar for doubles and one for singles.
 macro_rules! every_rung {
     ($study:ident, $name:expr $(, $more:expr)*; $double:expr, $single:expr) => {
@@ -14,8 +12,3 @@ macro_rules! every_rung {
     };
 }
 pub(crate) use every_rung;
-
-/// In space where there is time, in the plane always.
-pub fn in_space_at_length(study: Study) -> Study {
-    if study.name.contains("/3d/") { study.level(Level::Full) } else { study }
-}
