@@ -23,13 +23,14 @@ const PRESSURE: f64 = 3e4;
 const FRACTION: f64 = 0.55;
 const CONDUCTIVITY: f64 = 0.01;
 const SLOPE: f64 = 4.0;
-/// Columns of soil, and as many of water without soil.
-const COLUMNS: f64 = 24.0;
 
 pub fn studies() -> Vec<Study> {
     vec![
-        drift("mixture/pore volumes/quick", &[1.0]),
-        drift("mixture/pore volumes/to five", &[1.0, 2.0, 5.0]).level(Level::Full),
+        drift::<2>("mixture/pore volumes/quick", USUAL, &[1.0]),
+        drift::<2>("mixture/pore volumes/to five", USUAL, &[1.0, 2.0, 5.0]).level(Level::Full),
+        drift::<2>("mixture/pore volumes/corrected", CORRECTED, &[1.0]).level(Level::Full),
+        drift::<2>("mixture/pore volumes/interphase kernel", WIDER_BETWEEN, &[1.0]).level(Level::Full),
+        drift::<3>("mixture/pore volumes/3d", SHORT, &[1.0]).level(Level::Full),
         Study::new(
             "mixture/no locking in motion/2d/f64",
             "water under 30 kPa that moves through soil without drag keeps its speed over 20 Δx (value: the \
@@ -57,27 +58,48 @@ pub fn studies() -> Vec<Study> {
     ]
 }
 
-type Both = Mixture<f64, 2, WendlandC2<f64, 2>, Soil<f64, Unyielding>, Water<f64>>;
+type Both<const D: usize> = Mixture<f64, D, WendlandC2<f64, D>, Soil<f64, Unyielding>, Water<f64>>;
 
 /// Water everywhere in a periodic strip under [`PRESSURE`], soil that is held in the first `columns` of it.
-fn strip(length: f64, columns: f64, h: f64) -> Both {
-    let size = [length * SPACING, 8.0 * SPACING];
-    let volume = SPACING * SPACING;
+fn strip<const D: usize>(length: f64, columns: f64, h: f64) -> Both<D> {
+    let (size, volume) = (size(length), SPACING.powi(D as i32));
     let mut soil = Phase::new(elastic::<f64>());
-    let grains = setup::fill([0.0; 2], [columns * SPACING, size[1]], SPACING);
+    let grains = setup::fill([0.0; D], self::size(columns), SPACING);
     soil.add_wall(Wall::dynamic(), &grains, volume, |_| 0.0).expect("soil that is held");
     soil.set_volume_fraction(|_| FRACTION);
     let mut water = Phase::new(Water::new(1000.0, SOUND_SPEED).expect("water"));
-    water.add(&setup::fill([0.0; 2], size, SPACING), volume, |_| PRESSURE).expect("water");
+    water.add(&setup::fill([0.0; D], size, SPACING), volume, |_| PRESSURE).expect("water");
     Mixture::new(WendlandC2::new(h).expect("a length"), soil, water).with_periodic(periodic(size))
 }
 
-fn drift(name: &str, volumes: &'static [f64]) -> Study {
+/// Of so many columns, eight particles wide \[m\].
+fn size<const D: usize>(columns: f64) -> [f64; D] {
+    core::array::from_fn(|k| if k == 0 { columns } else { 8.0 } * SPACING)
+}
+
+/// How the water is summed.
+#[derive(Clone, Copy)]
+struct Sums {
+    /// Columns of soil, and as many of water without soil.
+    columns: f64,
+    /// h/Δx; none for 1.5 spacings of the water in the soil.
+    ratio: Option<f64>,
+    corrected: bool,
+    /// h_c/Δx between soil and water, if it is another.
+    between: Option<f64>,
+}
+
+const USUAL: Sums = Sums { columns: 24.0, ratio: None, corrected: false, between: None };
+const CORRECTED: Sums = Sums { corrected: true, ..USUAL };
+const SHORT: Sums = Sums { columns: 12.0, ..USUAL };
+const WIDER_BETWEEN: Sums = Sums { ratio: Some(1.5), between: Some(2.0), ..USUAL };
+
+fn drift<const D: usize>(name: &str, sums: Sums, volumes: &'static [f64]) -> Study {
     Study::new(
         name,
         "water driven through soil and round again keeps Darcy's flow, its pressure and its spacing (values, \
          over what is allowed: flow, 5 %; mean pressure, 20 %; Σ V W in each column, 0.02)",
-        |c| seep(volumes, c),
+        move |c| seep::<D>(volumes, sums, c),
     )
     .equations(&["37", "52", "55", "58", "69"])
     .source("steady flow q = k i; nothing leaves")
@@ -86,20 +108,31 @@ fn drift(name: &str, volumes: &'static [f64]) -> Study {
 }
 
 /// After so many pore volumes.
-fn seep(volumes: &[f64], conditions: &Conditions) -> Measured {
-    // 1.5 spacings of the water in the soil.
-    let h = 1.5 * SPACING / (1.0 - FRACTION).sqrt();
-    let length = 2.0 * COLUMNS;
+fn seep<const D: usize>(volumes: &[f64], sums: Sums, conditions: &Conditions) -> Measured {
+    let in_soil = match D {
+        2 => 1.5 * SPACING / (1.0 - FRACTION).sqrt(),
+        _ => 1.5 * SPACING / (1.0 - FRACTION).cbrt(),
+    };
+    let h = sums.ratio.map_or(in_soil, |ratio| ratio * SPACING);
+    let (columns, length) = (sums.columns, 2.0 * sums.columns);
     let flow = CONDUCTIVITY * SLOPE;
     // The push on all water is the loss of head in the soil.
-    let pull = Vector([GRAVITY * SLOPE * COLUMNS / length, 0.0]);
+    let mut pull = Vector::zero();
+    pull[0] = GRAVITY * SLOPE * columns / length;
     let darcy = Darcy::new(Conductivity::new(CONDUCTIVITY).expect("a conductivity"));
-    let mut mixture = strip(length, COLUMNS, h).with_gravity(pull).with_drag(darcy);
+    let mut mixture = strip::<D>(length, columns, h).with_gravity(pull).with_drag(darcy);
+    if sums.corrected {
+        mixture = mixture.with_gradient_correction();
+    }
+    if let Some(ratio) = sums.between {
+        let kernel = WendlandC2::new(ratio * SPACING).expect("a length");
+        mixture = mixture.with_interphase_kernel(kernel).expect("a length near that within");
+    }
     if !conditions.is(UNRELAXED) {
         mixture = mixture.with_density_relaxation(200.0 * h / SOUND_SPEED).expect("a time");
     }
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
-    let one = COLUMNS * SPACING * (1.0 - FRACTION) / flow;
+    let one = columns * SPACING * (1.0 - FRACTION) / flow;
     let mut measured = Measured::default();
     for &volume in volumes {
         let (begin, end) = ((volume - 0.2) * one, volume * one);
@@ -108,7 +141,7 @@ fn seep(volumes: &[f64], conditions: &Conditions) -> Measured {
             let step = run.step_at_most(end - run.time()).expect("a step");
             if run.time() > begin {
                 let part = step.length / (end - begin);
-                seeped += part * through(run.mixture());
+                seeped += part * through(run.mixture(), columns);
                 let water = run.mixture().water();
                 pressure += part * water.pressures().iter().sum::<f64>() / water.len() as f64;
             }
@@ -133,48 +166,57 @@ fn seep(volumes: &[f64], conditions: &Conditions) -> Measured {
 }
 
 /// ⟨φ v⟩ in the soil \[m/s\].
-fn through(mixture: &Both) -> f64 {
+fn through<const D: usize>(mixture: &Both<D>, columns: f64) -> f64 {
     let water = mixture.water();
-    let inside = |a: &usize| water.positions()[*a][0] < COLUMNS * SPACING;
+    let inside = |a: &usize| water.positions()[*a][0] < columns * SPACING;
     let flow = |a: usize| water.volume(a) * water.volume_fraction(a) * water.velocities()[a][0];
-    (0..water.len()).filter(inside).map(flow).sum::<f64>() / (COLUMNS * SPACING * 8.0 * SPACING)
+    (0..water.len()).filter(inside).map(flow).sum::<f64>() / size::<D>(columns).iter().product::<f64>()
 }
 
 /// Least and largest S − 1 − s₀, S = Σ V W, means column by column.
-fn excess_of_space(mixture: &Both, length: f64) -> (f64, f64) {
+fn excess_of_space<const D: usize>(mixture: &Both<D>, length: f64) -> (f64, f64) {
     let (water, kernel) = (mixture.water(), mixture.kernel());
-    let size = [length * SPACING, 8.0 * SPACING];
-    let mut bins = [(0.0, 0.0); 2 * COLUMNS as usize];
+    let size = size::<D>(length);
+    let mut bins = vec![(0.0, 0.0); length as usize];
     for a in 0..water.len() {
         let near = |b: usize| {
             let x = water.positions()[a] - water.positions()[b];
-            let r2 = (0..2).map(|k| (x[k] - size[k] * (x[k] / size[k]).round()).powi(2)).sum::<f64>();
+            let r2 = (0..D).map(|k| (x[k] - size[k] * (x[k] / size[k]).round()).powi(2)).sum::<f64>();
             if r2.sqrt() < kernel.support() { water.volume(b) * kernel.value::<f64>(r2) } else { 0.0 }
         };
         let space: f64 = (0..water.len()).map(near).sum();
-        let ratio = kernel.smoothing_length() / water.volume(a).sqrt();
+        let ratio = kernel.smoothing_length() / spacing_of::<D>(water.volume(a));
         let column = (water.positions()[a][0] / SPACING) as usize;
         let last = bins.len() - 1;
         let bin = &mut bins[column.min(last)];
-        *bin = (bin.0 + space - 1.0 - lattice_excess(ratio), bin.1 + 1.0);
+        *bin = (bin.0 + space - 1.0 - lattice_excess::<D>(ratio), bin.1 + 1.0);
     }
     let means = bins.iter().map(|(sum, count)| sum / count);
     means.fold((f64::MAX, f64::MIN), |(least, most), mean| (least.min(mean), most.max(mean)))
 }
 
-/// `Σ V W − 1` on a square lattice with h = `ratio` spacings.
-fn lattice_excess(ratio: f64) -> f64 {
-    let kernel = WendlandC2::<f64, 2>::new(ratio).expect("a length");
+/// V^(1/D).
+fn spacing_of<const D: usize>(volume: f64) -> f64 {
+    if D == 2 { volume.sqrt() } else { volume.cbrt() }
+}
+
+/// `Σ V W − 1` on a square or cubic lattice with h = `ratio` spacings.
+fn lattice_excess<const D: usize>(ratio: f64) -> f64 {
+    let kernel = WendlandC2::<f64, D>::new(ratio).expect("a length");
     let reach = (2.0 * ratio) as i32;
-    let cells = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| f64::from(i * i + j * j)));
-    cells.filter(|r2| r2.sqrt() < kernel.support()).map(|r2| kernel.value::<f64>(r2)).sum::<f64>() - 1.0
+    let out = if D == 3 { reach } else { 0 };
+    let squares = |k: i32| {
+        (-reach..=reach).flat_map(move |i| (-reach..=reach).map(move |j| f64::from(i * i + j * j + k * k)))
+    };
+    let near = (-out..=out).flat_map(squares).filter(|r2| r2.sqrt() < kernel.support());
+    near.map(|r2| kernel.value::<f64>(r2)).sum::<f64>() - 1.0
 }
 
 /// The part of its speed that water keeps on a way of 20 Δx, at a slope to the lattice it begins on.
 fn speed_left(conditions: &Conditions) -> f64 {
     let form = if conditions.is(PRINTED) { CouplingForm::Printed } else { CouplingForm::PressureDifference };
     let speed = 0.5;
-    let mut mixture = strip(24.0, 24.0, 1.5 * SPACING).with_coupling(form).with_drag(NoDrag);
+    let mut mixture = strip::<2>(24.0, 24.0, 1.5 * SPACING).with_coupling(form).with_drag(NoDrag);
     mixture.water_mut().set_velocity(|_| Vector([speed, 0.3 * speed]));
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(0.2).expect("a number"));
     let end = 20.0 * SPACING / speed;
@@ -187,7 +229,7 @@ fn speed_left(conditions: &Conditions) -> f64 {
 
 fn fastest_change(kind: DensityDiffusion<f64>, conditions: &Conditions) -> f64 {
     let kind = if conditions.is(PARTIAL) { DensityDiffusion::PartialDensity(0.1) } else { kind };
-    let mut mixture = strip(24.0, 12.0, 1.5 * SPACING).with_density_diffusion(kind).expect("a number");
+    let mut mixture = strip::<2>(24.0, 12.0, 1.5 * SPACING).with_density_diffusion(kind).expect("a number");
     mixture.evaluate().expect("rates");
     let water = mixture.water();
     (0..water.len()).map(|a| water.density_rate(a).abs()).fold(0.0, f64::max)
