@@ -35,6 +35,7 @@ mod frames;
 mod identity;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
+mod interphase;
 mod invariance;
 #[cfg(feature = "case")]
 mod jet;
@@ -105,6 +106,7 @@ fn studies() -> Vec<Study> {
         still_tank::studies(),
         powers::studies(),
         mixture_rates::studies(),
+        interphase::studies(),
         seepage::studies(),
         #[cfg(feature = "implicit")]
         implicit_drag::studies(),

@@ -25,14 +25,16 @@ const PRESSURE: f64 = 3e4;
 const FRACTION: f64 = 0.55;
 const CONDUCTIVITY: f64 = 0.01;
 const SLOPE: f64 = 4.0;
-/// Columns of soil, and as many of water without soil.
-const COLUMNS: f64 = 24.0;
 
 pub fn studies() -> Vec<Study> {
     let mut studies = vec![
-        drift::<f64, 2>("mixture/pore volumes/quick/2d/f64", &[1.0]),
-        drift::<f32, 2>("mixture/pore volumes/quick/2d/f32", &[1.0]).level(Level::Full),
-        drift::<f64, 2>("mixture/pore volumes/to five/2d/f64", &[1.0, 2.0, 5.0]).level(Level::Full),
+        drift::<f64, 2>("mixture/pore volumes/quick/2d/f64", USUAL, &[1.0]),
+        drift::<f32, 2>("mixture/pore volumes/quick/2d/f32", USUAL, &[1.0]).level(Level::Full),
+        drift::<f64, 2>("mixture/pore volumes/to five/2d/f64", USUAL, &[1.0, 2.0, 5.0]).level(Level::Full),
+        drift::<f64, 2>("mixture/pore volumes/corrected/2d/f64", CORRECTED, &[1.0]).level(Level::Full),
+        drift::<f64, 2>("mixture/pore volumes/interphase kernel/2d/f64", WIDER_BETWEEN, &[1.0])
+            .level(Level::Full),
+        drift::<f64, 3>("mixture/pore volumes/quick/3d/f64", SHORT, &[1.0]).level(Level::Full),
         unlocked::<f64, 2>("mixture/no locking in motion/2d/f64"),
         unlocked::<f32, 2>("mixture/no locking in motion/2d/f32"),
         unlocked::<f64, 3>("mixture/no locking in motion/3d/f64").level(Level::Full),
@@ -97,12 +99,29 @@ fn size_of<const D: usize>(length: f64) -> [f64; D] {
     size
 }
 
-fn drift<T: Real, const D: usize>(name: &str, volumes: &'static [f64]) -> Study {
+/// How the water is summed.
+#[derive(Clone, Copy)]
+struct Sums {
+    /// Columns of soil, and as many of water without soil.
+    columns: f64,
+    /// h/Δx; none for 1.5 spacings of the water in the soil.
+    ratio: Option<f64>,
+    corrected: bool,
+    /// h_c/Δx between soil and water, if it is another.
+    between: Option<f64>,
+}
+
+const USUAL: Sums = Sums { columns: 24.0, ratio: None, corrected: false, between: None };
+const CORRECTED: Sums = Sums { corrected: true, ..USUAL };
+const SHORT: Sums = Sums { columns: 12.0, ..USUAL };
+const WIDER_BETWEEN: Sums = Sums { ratio: Some(1.5), between: Some(2.0), ..USUAL };
+
+fn drift<T: Real, const D: usize>(name: &str, sums: Sums, volumes: &'static [f64]) -> Study {
     Study::new(
         name,
         "water driven through soil and round again keeps Darcy's flow, its pressure and its spacing (values, \
          over what is allowed: flow, 5 %; mean pressure, 20 %; Σ V W in each column, 0.02)",
-        |c| seep::<T, D>(volumes, c),
+        move |c| seep::<T, D>(volumes, sums, c),
     )
     .equations(&["37", "52", "55", "58", "69"])
     .source("steady flow q = k i; nothing leaves")
@@ -111,20 +130,27 @@ fn drift<T: Real, const D: usize>(name: &str, volumes: &'static [f64]) -> Study 
 }
 
 /// After so many pore volumes.
-fn seep<T: Real, const D: usize>(volumes: &[f64], conditions: &Conditions) -> Measured {
-    // 1.5 spacings of the water in the soil.
-    let h = 1.5 * SPACING / (1.0 - FRACTION).powf(1.0 / D as f64);
-    let length = 2.0 * COLUMNS;
+fn seep<T: Real, const D: usize>(volumes: &[f64], sums: Sums, conditions: &Conditions) -> Measured {
+    let in_soil = 1.5 * SPACING / (1.0 - FRACTION).powf(1.0 / D as f64);
+    let h = sums.ratio.map_or(in_soil, |ratio| ratio * SPACING);
+    let (columns, length) = (sums.columns, 2.0 * sums.columns);
     let flow = CONDUCTIVITY * SLOPE;
     // The push on all water is the loss of head in the soil.
-    let pull = along(0, GRAVITY * SLOPE * COLUMNS / length);
+    let pull = along(0, GRAVITY * SLOPE * columns / length);
     let darcy = Darcy::new(Conductivity::new(T::of(CONDUCTIVITY)).expect("a conductivity"));
-    let mut mixture = strip::<T, D>(length, COLUMNS, h).with_gravity(pull).with_drag(darcy);
+    let mut mixture = strip::<T, D>(length, columns, h).with_gravity(pull).with_drag(darcy);
+    if sums.corrected {
+        mixture = mixture.with_gradient_correction();
+    }
+    if let Some(ratio) = sums.between {
+        let kernel = WendlandC2::new(T::of(ratio * SPACING)).expect("a length");
+        mixture = mixture.with_interphase_kernel(kernel).expect("a length near that within");
+    }
     if !conditions.is(UNRELAXED) {
         mixture = mixture.with_density_relaxation(T::of(200.0 * h / SOUND_SPEED)).expect("a time");
     }
     let mut run = Simulation::new(mixture, LeapFrog::new(), StepSize::courant(T::of(0.2)).expect("a number"));
-    let one = COLUMNS * SPACING * (1.0 - FRACTION) / flow;
+    let one = columns * SPACING * (1.0 - FRACTION) / flow;
     let mut measured = Measured::default();
     for &volume in volumes {
         let (begin, end) = ((volume - 0.2) * one, volume * one);
@@ -133,7 +159,7 @@ fn seep<T: Real, const D: usize>(volumes: &[f64], conditions: &Conditions) -> Me
             let step = run.step_at_most(end - run.time()).expect("a step");
             if run.time() > begin {
                 let part = step.length / (end - begin);
-                seeped += part * through(run.mixture());
+                seeped += part * through(run.mixture(), columns);
                 let water = run.mixture().water();
                 pressure += part * mean(water.pressures().iter().map(|p| p.as_f64()));
             }
@@ -163,11 +189,11 @@ fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 }
 
 /// ⟨φ v⟩ in the soil \[m/s\].
-fn through<T: Real, const D: usize>(mixture: &Both<T, D>) -> f64 {
+fn through<T: Real, const D: usize>(mixture: &Both<T, D>, columns: f64) -> f64 {
     let water = mixture.water();
-    let inside = |a: &usize| water.positions()[*a][0].as_f64() < COLUMNS * SPACING;
+    let inside = |a: &usize| water.positions()[*a][0].as_f64() < columns * SPACING;
     let flow = |a: usize| (water.volume(a) * water.volume_fraction(a) * water.velocities()[a][0]).as_f64();
-    (0..water.len()).filter(inside).map(flow).sum::<f64>() / size_of::<D>(COLUMNS).iter().product::<f64>()
+    (0..water.len()).filter(inside).map(flow).sum::<f64>() / size_of::<D>(columns).iter().product::<f64>()
 }
 
 /// Least and largest S − 1 − s₀, S = Σ V W, means column by column.
@@ -175,7 +201,7 @@ fn excess_of_space<T: Real, const D: usize>(mixture: &Both<T, D>, length: f64) -
     let water = mixture.water();
     let kernel = WendlandC2::<f64, D>::new(mixture.kernel().smoothing_length().as_f64()).expect("a length");
     let size = size_of::<D>(length);
-    let mut bins = [(0.0, 0.0); 2 * COLUMNS as usize];
+    let mut bins = vec![(0.0, 0.0); length as usize];
     for a in 0..water.len() {
         let near = |b: usize| {
             let x = (water.positions()[a] - water.positions()[b]).as_f64();

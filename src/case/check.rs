@@ -72,10 +72,12 @@ fn kernel(reader: &Reader<'_>, case: &Case) {
         Precision::F32 => f64::from(f32::MAX),
         Precision::F64 => f64::MAX,
     };
-    let (h, shortest) = (case.smoothing_length(), kernel::shortest(largest, case.dimension));
+    let ratio =
+        case.particles.smoothing_ratio.min(case.interphase_smoothing_length() / case.particles.spacing);
+    let (h, shortest) = (ratio * case.particles.spacing, kernel::shortest(largest, case.dimension));
     if h < shortest {
         let why = format!("makes the smoothing length {h:.3e} m, too short for {} numbers", case.precision);
-        let least = shortest / case.particles.smoothing_ratio;
+        let least = shortest / ratio;
         reader.error("particles.spacing_m", &why, format!("at least {least:.3e} [m]"));
     }
 }

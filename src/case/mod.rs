@@ -40,8 +40,9 @@ pub use choice::{
     KernelChoice, Precision, Quantity, SchemeChoice, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
 };
 pub use model::{
-    Block, Case, Drag, Dumps, Frictional, Gauge, Inflow, Mixing, MovingWall, Neighbours, Output, Particles,
-    Region, Seepage, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time, Walls, Water,
+    Block, Case, Drag, Dumps, Frictional, Gauge, Inflow, InterphaseKernel, Mixing, MovingWall, Neighbours,
+    Output, Particles, Region, Seepage, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time,
+    Walls, Water,
 };
 pub use objection::Objection;
 pub use plan::{DragPlan, StepLimit};

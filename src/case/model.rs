@@ -116,6 +116,26 @@ pub struct Particles {
     pub kernel: KernelChoice,
     /// Whether gradients are made exact for linear fields.
     pub gradient_correction: bool,
+    /// What is summed with between soil and water, where there are both.
+    pub interphase: Option<InterphaseKernel>,
+}
+
+/// The kernel between soil and water.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InterphaseKernel {
+    /// Smoothing length over spacing, h_c/Δx \[–\].
+    pub smoothing_ratio: f64,
+    /// Kernel.
+    pub kernel: KernelChoice,
+}
+
+impl Particles {
+    /// Largest support radius over spacing \[–\].
+    pub fn support_ratio(&self) -> f64 {
+        let own = self.kernel.support_ratio() * self.smoothing_ratio;
+        let between = self.interphase.map_or(0.0, |it| it.kernel.support_ratio() * it.smoothing_ratio);
+        own.max(between)
+    }
 }
 
 /// A box with walls on its sides, outside the box.
@@ -221,9 +241,15 @@ impl Case {
         self.particles.smoothing_ratio * self.particles.spacing
     }
 
-    /// Support radius κh \[m\].
+    /// Smoothing length h_c \[m\] between soil and water.
+    pub fn interphase_smoothing_length(&self) -> f64 {
+        let between = self.particles.interphase.map(|it| it.smoothing_ratio * self.particles.spacing);
+        between.unwrap_or(self.smoothing_length())
+    }
+
+    /// Support radius κh \[m\], the larger of that within and that between soil and water.
     pub fn support(&self) -> f64 {
-        self.particles.kernel.support_ratio() * self.smoothing_length()
+        self.particles.support_ratio() * self.particles.spacing
     }
 
     /// Speed of the fastest wave \[m/s\], which bounds the step.

@@ -88,7 +88,8 @@ impl Case {
         let (soil, water) = (self.soil.as_ref()?, self.water.as_ref()?);
         let acts = self.mixing.as_ref()?.coupling == CouplingForm::PressureDifference;
         let pores = (1.0 - soil.volume_fraction).max(LEAST_PORES);
-        acts.then(|| self.smoothing_length() * pores / water.sound_speed)
+        let h = self.smoothing_length().min(self.interphase_smoothing_length());
+        acts.then(|| h * pores / water.sound_speed)
     }
 
     /// Speed \[m/s\] of the fastest wave in soil full of water without drag: the larger root of
@@ -126,7 +127,7 @@ impl Case {
             StepSize::Fixed(step) => step,
             StepSize::Courant(_) => bound.map(|limit| limit.step).fold(f64::INFINITY, f64::min),
         };
-        let h = self.smoothing_length();
+        let h = self.interphase_smoothing_length();
         let moment = self.second_moment().unwrap_or(0.0);
         let stiffness = step / stopping_time;
         let (scheme, why) =
@@ -151,13 +152,10 @@ impl Case {
         blocks.chain(inflows).fold(0.0, f64::max)
     }
 
-    /// m₂ of the kernel.
+    /// m₂ of the kernel between soil and water.
     fn second_moment(&self) -> Result<f64, ParameterError> {
-        if self.dimension == 2 {
-            moment::<2>(self.particles.kernel)
-        } else {
-            moment::<3>(self.particles.kernel)
-        }
+        let kernel = self.particles.interphase.map_or(self.particles.kernel, |it| it.kernel);
+        if self.dimension == 2 { moment::<2>(kernel) } else { moment::<3>(kernel) }
     }
 }
 

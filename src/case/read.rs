@@ -10,7 +10,7 @@ pub(super) use water::expected_speed;
 
 use super::bounds::{from_to, positive};
 use super::choice::{Field, Precision, SearchChoice};
-use super::model::{Case, Dumps, Gauge, Neighbours, Output, Particles, StepSize, Time};
+use super::model::{Case, Dumps, Gauge, InterphaseKernel, Neighbours, Output, Particles, StepSize, Time};
 use super::preset::{Defaults, defaults};
 use super::reader::Reader;
 use super::section::Section;
@@ -94,13 +94,26 @@ impl Context<'_, '_> {
 
     /// `shared` is the volume fraction of soil that shares its space with water.
     fn particles(&self, section: &Section<'_, '_>, shared: Option<f64>) -> Particles {
+        let ratio =
+            |key| section.number(key, from_to(1.0, 4.0, "h/Δx; below 1 there are too few neighbours"));
+        let smoothing_ratio = ratio("smoothing_ratio").unwrap_or_else(|| self.smoothing_ratio(shared));
+        let kernel = section.choice("kernel").unwrap_or(self.defaults.kernel);
+        let interphase = InterphaseKernel {
+            smoothing_ratio: ratio("interphase_smoothing_ratio").unwrap_or(smoothing_ratio),
+            kernel: section.choice("interphase_kernel").unwrap_or(kernel),
+        };
+        for key in ["interphase_smoothing_ratio", "interphase_kernel"] {
+            if shared.is_none() && self.reader.given(&section.name(key)) {
+                let why = "has nothing to couple";
+                self.reader.error(&section.name(key), why, "[soil] and [water], or leave it out");
+            }
+        }
         let particles = Particles {
             spacing: section.required_number("spacing_m", positive(1e4, "m")),
-            smoothing_ratio: section
-                .number("smoothing_ratio", from_to(1.0, 4.0, "h/Δx; below 1 there are too few neighbours"))
-                .unwrap_or_else(|| self.smoothing_ratio(shared)),
-            kernel: section.choice("kernel").unwrap_or(self.defaults.kernel),
+            smoothing_ratio,
+            kernel,
             gradient_correction: section.flag("gradient_correction").unwrap_or(false),
+            interphase: shared.map(|_| interphase),
         };
         section.finish();
         particles

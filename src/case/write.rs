@@ -34,6 +34,10 @@ impl fmt::Display for Case {
         writeln!(f, "smoothing_ratio = {:?}", self.particles.smoothing_ratio)?;
         writeln!(f, "kernel = \"{}\"", self.particles.kernel)?;
         writeln!(f, "gradient_correction = {}", self.particles.gradient_correction)?;
+        if let Some(between) = &self.particles.interphase {
+            writeln!(f, "interphase_smoothing_ratio = {:?}", between.smoothing_ratio)?;
+            writeln!(f, "interphase_kernel = \"{}\"", between.kernel)?;
+        }
         self.soil.iter().try_for_each(|each| soil::soil(f, each))?;
         self.water.iter().try_for_each(|each| water::water(f, each))?;
         self.mixing.iter().try_for_each(|each| mixing::mixing(f, each))?;

@@ -1,14 +1,18 @@
 //! Who of one constituent is near whom of the other, and the sums between them.
 
 use super::Phase;
+use super::between::{Between, Pass};
 use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::real::Real;
 use crate::space::Vector;
 use crate::summation::{Aligned, Neighbourhood, PairFormula, Sums};
+use std::sync::Arc;
 
 /// The particles of soil and water in one cloud, soil first; each lists those of the other constituent.
 pub(super) struct Across<T: Real, const D: usize> {
+    /// The kernel of all sums between soil and water.
+    pub(super) kernel: Arc<dyn Between<T, D>>,
     pub(super) neighbourhood: Neighbourhood<T, D>,
     positions: Vec<Vector<T, D>>,
     /// What takes each particle into the periodic box it was listed in: the constituents are taken there
@@ -20,9 +24,18 @@ pub(super) struct Across<T: Real, const D: usize> {
     records: Aligned<T>,
 }
 
+/// What the records of a pass say of each particle behind its place.
+pub(super) struct Records<'a, T> {
+    /// What they say of nobody.
+    pub(super) dummy: &'a [T],
+    pub(super) of_soil: &'a (dyn Fn(usize, &mut [T]) + Sync),
+    pub(super) of_water: &'a (dyn Fn(usize, &mut [T]) + Sync),
+}
+
 impl<T: Real, const D: usize> Across<T, D> {
-    pub(super) fn new(neighbourhood: Neighbourhood<T, D>) -> Self {
+    pub(super) fn new(kernel: Arc<dyn Between<T, D>>, neighbourhood: Neighbourhood<T, D>) -> Self {
         Self {
+            kernel,
             neighbourhood,
             positions: Vec::new(),
             shifts: Vec::new(),
@@ -30,6 +43,12 @@ impl<T: Real, const D: usize> Across<T, D> {
             sorted: [0; 2],
             records: Aligned::default(),
         }
+    }
+
+    /// Takes another kernel, and lists as far as that reaches.
+    pub(super) fn take_kernel<K: Kernel<T, D>>(&mut self, kernel: K) {
+        self.neighbourhood.set_support(kernel.support());
+        self.kernel = Arc::new(kernel);
     }
 
     /// Brings the lists up to date. `sorted` tells how often each constituent has been re-sorted.
@@ -82,22 +101,25 @@ impl<T: Real, const D: usize> Across<T, D> {
         }
     }
 
-    /// Sums a formula over both constituents; `of_soil(i, rest)` and `of_water(a, rest)` write what
-    /// stands behind a particle's place.
-    pub(super) fn sum<F: PairFormula<T>>(
+    /// Sums over both constituents.
+    pub(super) fn sum(&mut self, pass: Pass, records: &Records<'_, T>, sums: &mut Sums<T>) {
+        let kernel = Arc::clone(&self.kernel);
+        kernel.sum(pass, self, records, sums);
+    }
+
+    /// Sums a formula over both constituents.
+    pub(super) fn sum_with<F: PairFormula<T>>(
         &mut self,
         formula: &F,
-        dummy: &[T],
-        of_soil: &(impl Fn(usize, &mut [T]) + Sync),
-        of_water: &(impl Fn(usize, &mut [T]) + Sync),
+        records: &Records<'_, T>,
         sums: &mut Sums<T>,
     ) {
         let soil = self.soil;
         let write = |i: usize, record: &mut [T]| match i.checked_sub(soil) {
-            None => of_soil(i, record),
-            Some(a) => of_water(a, record),
+            None => (records.of_soil)(i, record),
+            Some(a) => (records.of_water)(a, record),
         };
-        self.neighbourhood.pack::<F>(&self.positions, &mut self.records, dummy, &write);
+        self.neighbourhood.pack::<F>(&self.positions, &mut self.records, records.dummy, &write);
         self.neighbourhood.sum(formula, &self.records, sums);
     }
 
@@ -107,14 +129,9 @@ impl<T: Real, const D: usize> Across<T, D> {
     }
 
     /// S_i = Σ V_a W \[-\]: how much of the surroundings of soil particle `i` water fills.
-    pub(super) fn filled<K: Kernel<T, D>, F: Material<T>>(
-        &self,
-        kernel: &K,
-        water: &Phase<T, D, F>,
-        i: usize,
-    ) -> T {
+    pub(super) fn filled<F: Material<T>>(&self, water: &Phase<T, D, F>, i: usize) -> T {
         let mut filled = T::ZERO;
-        self.for_each_water_near(i, |a, _, r2| filled += water.volume(a) * kernel.value(r2));
+        self.for_each_water_near(i, |a, _, r2| filled += water.volume(a) * self.kernel.weight(r2));
         filled
     }
 

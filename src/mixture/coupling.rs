@@ -12,12 +12,12 @@
 //! - \sum_i w_i W_{ai} D_i\Big],\qquad D_i = \frac1{S_i}\sum_a V_a\,\mathbf v_{ai}\cdot\nabla_a W_{ai}.$$
 
 use super::Phase;
-use super::across::Across;
+use super::across::{Across, Records};
+use super::between::{Between, Pass};
 use super::constituent::Constituent;
 use super::drag::Drag;
 use super::evaluation::vector_sum;
 use super::pore::Pores;
-use super::projected_drag::ProjectedDrag;
 use super::setting::Setting;
 use crate::budget::Account;
 use crate::kernel::Kernel;
@@ -26,6 +26,7 @@ use crate::real::{Num, Real};
 use crate::space::Vector;
 use crate::summation::{MOST, Neighbourhood, PairFormula, Record, Sums, add_vector, number, vector};
 use crate::time::Moment;
+use std::sync::Arc;
 
 /// How the pore pressure acts between water and soil.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,8 +42,8 @@ pub enum CouplingForm {
 
 /// Force, drag and what the water's density feels of the soil; record: x, v, w, V, p, D, C, s, with
 /// s = 1 of water and −1 of soil, D zero of water and C zero of soil.
-struct Exchange<K, const D: usize> {
-    kernel: K,
+pub(super) struct Exchange<K, const D: usize> {
+    pub(super) kernel: K,
 }
 
 /// Places of the sums: after the force `Σ w_j s_i (p_j − p_i) ∇W` and the drag `Σ V_j C W v_ji`.
@@ -111,9 +112,9 @@ pub(super) struct Coupling<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Coupling<T, D> {
-    pub(super) fn new(neighbourhood: Neighbourhood<T, D>) -> Self {
+    pub(super) fn new(kernel: Arc<dyn Between<T, D>>, neighbourhood: Neighbourhood<T, D>) -> Self {
         Self {
-            across: Across::new(neighbourhood),
+            across: Across::new(kernel, neighbourhood),
             pores: Pores::default(),
             form: CouplingForm::default(),
             drag: Drag::default(),
@@ -132,7 +133,7 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         self.across.find_neighbours(&soil.phase.position, &water.phase.position, sorted);
         let density = water.phase.material().reference_density();
         let fall = setting.gravity * density;
-        self.pores.look(&mut self.across, &setting.kernel, &soil.phase, water, fall);
+        self.pores.look(&mut self.across, &soil.phase, water, fall);
         if self.form == CouplingForm::Printed {
             self.pores.pressure.fill(T::ZERO);
             self.pores.compression.fill(T::ZERO);
@@ -151,11 +152,11 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     ) {
         if self.drag.is_evaluated && !self.drag.is_reconstructed {
             let phases = (&soil.phase, &water.phase);
-            self.drag.find_slip(&mut self.across, &setting.kernel, phases, Moment::Now);
+            self.drag.find_slip(&mut self.across, phases, Moment::Now);
         }
-        self.sum_exchange(&setting.kernel, soil, water);
+        self.sum_exchange(soil, water);
         if self.drag.is_projected {
-            self.project_drag(&setting.kernel, &soil.phase, &water.phase);
+            self.project_drag(&soil.phase, &water.phase);
         }
         self.drag.rate.clear();
         self.push_soil(soil);
@@ -169,9 +170,8 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         water.add_fraction_rate(&self.pores.fraction_rate);
     }
 
-    fn sum_exchange<K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    fn sum_exchange<S: Material<T>, F: Material<T>>(
         &mut self,
-        kernel: &K,
         soil: &Constituent<T, D, S>,
         water: &Constituent<T, D, F>,
     ) {
@@ -196,14 +196,13 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             record[D + 4] = if drag.is_elsewhere() { T::ZERO } else { drag.coefficient(water, a) };
             record[D + 5] = T::ONE;
         };
-        let formula = Exchange::<K, D> { kernel: kernel.clone() };
-        self.across.sum(&formula, &[T::ZERO; 9][..D + 6], &of_soil, &of_water, &mut self.sums);
+        let records = Records { dummy: &[T::ZERO; 9][..D + 6], of_soil: &of_soil, of_water: &of_water };
+        self.across.sum(Pass::Exchange, &records, &mut self.sums);
     }
 
     /// Puts drag along the line between particles where drag stands in the sums.
-    fn project_drag<K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    fn project_drag<S: Material<T>, F: Material<T>>(
         &mut self,
-        kernel: &K,
         soil: &Phase<T, D, S>,
         water: &Phase<T, D, F>,
     ) {
@@ -219,8 +218,8 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             record[D + 1] = drag.coefficient(water, a);
         };
         let mut projected = Sums::default();
-        let formula = ProjectedDrag::<T, K, D>::new(kernel);
-        self.across.sum(&formula, &[T::ZERO; 5][..D + 2], &of_soil, &of_water, &mut projected);
+        let records = Records { dummy: &[T::ZERO; 5][..D + 2], of_soil: &of_soil, of_water: &of_water };
+        self.across.sum(Pass::ProjectedDrag, &records, &mut projected);
         for i in 0..soil.len() + water.len() {
             for k in 0..D {
                 self.sums.set(i, D + k, projected.get(i, k));

@@ -2,7 +2,8 @@
 //! bears.
 
 use super::Phase;
-use super::across::Across;
+use super::across::{Across, Records};
+use super::between::Pass;
 use super::evaluation::vector_sum;
 use crate::kernel::Kernel;
 use crate::material::{DragLaw, Material, NoDrag};
@@ -13,12 +14,12 @@ use crate::time::Moment;
 use std::sync::Arc;
 
 /// `Σ V_j W v_ij`, then `Σ V_j W`; record: x, v, V.
-struct Slip<K, const D: usize> {
-    kernel: K,
+pub(super) struct Slip<K, const D: usize> {
+    pub(super) kernel: K,
 }
 
 #[derive(Clone, Copy)]
-struct Moving<N: Copy, const D: usize> {
+pub(super) struct Moving<N: Copy, const D: usize> {
     x: Vector<N, D>,
     v: Vector<N, D>,
     volume: N,
@@ -85,17 +86,12 @@ impl<T: Real> Default for Drag<T> {
 
 impl<T: Real> Drag<T> {
     /// The slip at each water particle, with the velocities of `moment`, if the law asks.
-    pub(super) fn find_slip<const D: usize, K, S, F>(
+    pub(super) fn find_slip<const D: usize, S: Material<T>, F: Material<T>>(
         &mut self,
         across: &mut Across<T, D>,
-        kernel: &K,
         (soil, water): (&Phase<T, D, S>, &Phase<T, D, F>),
         moment: Moment,
-    ) where
-        K: Kernel<T, D>,
-        S: Material<T>,
-        F: Material<T>,
-    {
+    ) {
         self.slip.clear();
         if !self.law.knows_slip() {
             return;
@@ -108,8 +104,8 @@ impl<T: Real> Drag<T> {
             record[..D].copy_from_slice(&water.fields(moment).velocity[a].0);
             record[D] = T::ZERO;
         };
-        let formula = Slip::<K, D> { kernel: kernel.clone() };
-        across.sum(&formula, &[T::ZERO; 4][..D + 1], &of_soil, &of_water, &mut self.sums);
+        let records = Records { dummy: &[T::ZERO; 4][..D + 1], of_soil: &of_soil, of_water: &of_water };
+        across.sum(Pass::Slip, &records, &mut self.sums);
         self.slip.extend((0..water.len()).map(|a| {
             let at = across.water(a);
             let weight = self.sums.get(at, D);

@@ -4,6 +4,7 @@
 
 mod across;
 mod artificial_stress;
+mod between;
 mod checks;
 mod compressed;
 mod constituent;
@@ -80,6 +81,7 @@ use core::fmt;
 use coupling::Coupling;
 use relaxation::Relaxation;
 use setting::Setting;
+use std::sync::Arc;
 
 /// Weight of a neighbour in the velocity gradient (62), (65).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -162,9 +164,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
 
     fn put_together(kernel: K, soil: Phase<T, D, S>, water: Phase<T, D, F>) -> Self {
         let support = kernel.support();
+        let neighbourhood = Neighbourhood::new(Box::new(CellList::default()), support);
         Self {
+            coupling: Coupling::new(Arc::new(kernel.clone()), neighbourhood),
             setting: Setting::new(kernel),
-            coupling: Coupling::new(Neighbourhood::new(Box::new(CellList::default()), support)),
             #[cfg(feature = "implicit")]
             implicit_drag: implicit_drag::ImplicitDrag::default(),
             soil: Constituent::new(Role::Soil, soil, support),
@@ -246,7 +249,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         let drag = if self.coupling.drag.is_evaluated { self.coupling.drag.limit() } else { T::INFINITY };
         let pores = match self.coupling.form {
             CouplingForm::PressureDifference => {
-                h * self.water.phase.least_fraction() / self.water.phase.material().sound_speed()
+                h.min(self.coupling.across.kernel.length()) * self.water.phase.least_fraction()
+                    / self.water.phase.material().sound_speed()
             }
             CouplingForm::Printed => T::INFINITY,
         };

@@ -16,6 +16,10 @@ use crate::space::Vector;
 use crate::summation::Neighbourhood;
 use std::sync::Arc;
 
+/// Smoothing lengths between soil and water, over that within them \[-\].
+const LEAST_INTERPHASE: f64 = 0.5;
+const LARGEST_INTERPHASE: f64 = 4.0;
+
 impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> Mixture<T, D, K, S, F> {
     /// Gravity g \[m/s²\].
     pub fn with_gravity(mut self, gravity: Vector<T, D>) -> Self {
@@ -50,6 +54,22 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     pub fn with_coupling(mut self, form: CouplingForm) -> Self {
         self.coupling.form = form;
         self
+    }
+
+    /// Another kernel for all that acts between soil and water: volume fractions (67)–(69), pore pressure, drag. It is
+    /// that of the mixture by default. A wider one smooths the coupling, and drag acts as a viscosity ∝ h_c²; walls then
+    /// have to be as thick as its support. To be chosen before the first evaluation.
+    ///
+    /// # Errors
+    /// Its smoothing length h_c is not from half to four times that of the mixture.
+    pub fn with_interphase_kernel(mut self, kernel: impl Kernel<T, D>) -> Result<Self, ParameterError> {
+        let (own, length) = (self.setting.kernel.smoothing_length(), kernel.smoothing_length());
+        if !(length >= T::of(LEAST_INTERPHASE) * own && length <= T::of(LARGEST_INTERPHASE) * own) {
+            let allowed = "from half to four times the smoothing length within soil and water";
+            return Err(ParameterError::new("interphase_smoothing_length", length, allowed));
+        }
+        self.coupling.across.take_kernel(kernel);
+        Ok(self)
     }
 
     /// Relaxation of the density of water that shares its space to the volume its particles take, in the
@@ -200,9 +220,8 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
 
     /// Another neighbour search, of which each constituent gets one; results do not depend on it.
     pub fn with_search(self, search: impl Fn() -> Box<dyn NeighbourSearch<T, D>>) -> Self {
-        let support = self.setting.kernel.support();
         self.with_neighbourhoods(|old| {
-            Neighbourhood::new(search(), support)
+            Neighbourhood::new(search(), old.support())
                 .with_skin(old.skin())
                 .with_periodic(*old.periodic())
                 .with_instruction_set(old.instruction_set())

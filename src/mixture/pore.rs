@@ -1,7 +1,8 @@
 //! What the two constituents see of each other: pore pressure and expansion of the water at the soil, and
 //! the soil's volume fraction and its rate at the water (67)–(69).
 
-use super::across::Across;
+use super::across::{Across, Records};
+use super::between::Pass;
 use super::constituent::Constituent;
 use super::evaluation::vector_sum;
 use super::extrapolation::borne;
@@ -84,10 +85,9 @@ const DRY: f64 = 1e-9;
 
 impl<T: Real> Pores<T> {
     /// Looks from each constituent at the other. `fall` is ρ̃₀ g of the water, which presses it against walls.
-    pub(super) fn look<const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    pub(super) fn look<const D: usize, S: Material<T>, F: Material<T>>(
         &mut self,
         across: &mut Across<T, D>,
-        kernel: &K,
         soil: &Phase<T, D, S>,
         water: &Constituent<T, D, F>,
         fall: Vector<T, D>,
@@ -101,8 +101,8 @@ impl<T: Real> Pores<T> {
             record[D] = water.pressing_volume(a);
             record[D + 1] = water.phase.pressure[a];
         };
-        let formula = Pore::<K, D> { kernel: kernel.clone() };
-        across.sum(&formula, &[T::ZERO; 5][..D + 2], &of_soil, &of_water, &mut self.sums);
+        let records = Records { dummy: &[T::ZERO; 5][..D + 2], of_soil: &of_soil, of_water: &of_water };
+        across.sum(Pass::Pores, &records, &mut self.sums);
         let sums = &self.sums;
         let over = |i: usize, k: usize| {
             let weight = sums.get(i, sum::WEIGHT);

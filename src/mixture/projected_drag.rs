@@ -12,10 +12,9 @@ pub(super) struct ProjectedDrag<T, K, const D: usize> {
     nothing: T,
 }
 
-/// What is added to r² \[m²\]: so small against h² that it only keeps pairs without distance, which have no line, from
+/// What is added to r² \[m²\] at a smoothing length `h` \[m\]: so small against h² that it only keeps pairs without distance, which have no line, from
 /// being divided by nothing.
-pub(super) fn nothing<T: Real, K: Kernel<T, D>, const D: usize>(kernel: &K) -> T {
-    let h = kernel.smoothing_length();
+pub(super) fn nothing<T: Real>(h: T) -> T {
     T::of(1e-6) * h * h
 }
 
@@ -58,6 +57,6 @@ impl<T: Real, K: Kernel<T, D>, const D: usize> PairFormula<T> for ProjectedDrag<
 
 impl<T: Real, K: Kernel<T, D>, const D: usize> ProjectedDrag<T, K, D> {
     pub(super) fn new(kernel: &K) -> Self {
-        Self { kernel: kernel.clone(), nothing: nothing(kernel) }
+        Self { kernel: kernel.clone(), nothing: nothing(kernel.smoothing_length()) }
     }
 }

@@ -13,6 +13,8 @@
 //! w the volumes the gradient is summed with. Everything is pairwise equal and opposite, and the rate at which drag takes energy is
 //! Σ K |v*|²: never negative, whatever the velocities, without a limiter.
 
+use super::across::Records;
+use super::between::Pass;
 use super::constituent::Constituent;
 use super::coupling::Coupling;
 use super::evaluation::vector_sum;
@@ -26,10 +28,10 @@ use crate::time::Moment;
 
 /// `Σ q_j W (s_ij − κ v_ij)` with the reconstructed part s = v − v* of the slip, `Σ q_j W v*_ij ⊗ x_ij` by rows, then
 /// `Σ q_j W` and `Σ q_j W v*_ij²`; record: x, v, ½G by rows, q, with q = V of soil and V C of water.
-struct Reconstructed<T, K, const D: usize> {
-    kernel: K,
+pub(super) struct Reconstructed<T, K, const D: usize> {
+    pub(super) kernel: K,
     /// κ: 1 for the whole of drag, 0 for what reconstruction changes of it.
-    whole: T,
+    pub(super) whole: T,
 }
 
 #[derive(Clone, Copy)]
@@ -127,7 +129,7 @@ pub(super) struct Reconstruction<T, const D: usize> {
 
 impl<T: Real, const D: usize> Coupling<T, D> {
     /// Drag of the velocities of `moment` reconstructed between the particles; if not the `whole` of it, what
-    /// reconstruction changes.
+    /// reconstruction changes. `kernel` is that within each constituent.
     pub(super) fn reconstruct_drag<K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
         &mut self,
         kernel: &K,
@@ -136,10 +138,10 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         (moment, whole): (Moment, bool),
     ) -> Reconstruction<T, D> {
         let gradients = [soil.half_gradient(kernel, moment), water.half_gradient(kernel, moment)];
-        self.drag.find_slip(&mut self.across, kernel, (&soil.phase, &water.phase), moment);
+        self.drag.find_slip(&mut self.across, (&soil.phase, &water.phase), moment);
         // What of K = V_i V_a C W is the particle's own.
         let (across, drag) = (&self.across, &self.drag);
-        let of_soil = |i: usize| drag.soil_side(&soil.phase, i, || across.filled(kernel, &water.phase, i));
+        let of_soil = |i: usize| drag.soil_side(&soil.phase, i, || across.filled(&water.phase, i));
         let of_water = |a: usize| water.phase.volume(a) * drag.coefficient(&water.phase, a);
         let own: [Vec<T>; 2] =
             [(0..soil.phase.len()).map(of_soil).collect(), (0..water.phase.len()).map(of_water).collect()];
@@ -151,16 +153,13 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             }
             record[D + D * D] = own[n][i];
         };
-        let formula =
-            Reconstructed::<T, K, D> { kernel: kernel.clone(), whole: if whole { T::ONE } else { T::ZERO } };
         let mut sums = Sums::default();
-        self.across.sum(
-            &formula,
-            &[T::ZERO; MOST][..D + D * D + 1],
-            &|i, into| record(0, i, into),
-            &|a, into| record(1, a, into),
-            &mut sums,
-        );
+        let records = Records {
+            dummy: &[T::ZERO; MOST][..D + D * D + 1],
+            of_soil: &|i, into| record(0, i, into),
+            of_water: &|a, into| record(1, a, into),
+        };
+        self.across.sum(Pass::ReconstructedDrag { whole }, &records, &mut sums);
         let water_from = self.across.water(0);
         let [soil_own, water_own] = &own;
         let [on_soil, on_water] =

@@ -63,6 +63,12 @@ impl<T: Real, const D: usize> Neighbourhood<T, D> {
         self.forgotten = true;
     }
 
+    /// Lists neighbours up to another support \[m\].
+    pub(crate) fn set_support(&mut self, support: T) {
+        self.support = support;
+        self.forget();
+    }
+
     /// Lists neighbours `skin` \[m\] beyond the support. Wider is rebuilt less often, but has more
     /// pairs to look at; what is not positive and finite means no skin.
     pub fn with_skin(mut self, skin: T) -> Self {

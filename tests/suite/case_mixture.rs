@@ -3,8 +3,8 @@
 
 use crate::case_soil::{Mistake, each_is_named, read};
 use crate::fingerprint;
-use alluvium::case::{Case, Drag, SchemeChoice, Seepage, SoilLaw};
-use alluvium::kernel::WendlandC2;
+use alluvium::case::{Case, Drag, Problem, SchemeChoice, Seepage, SoilLaw};
+use alluvium::kernel::{QuinticSpline, WendlandC2};
 use alluvium::mixture::{CouplingForm, Mixture, Slip, VolumeFraction, WallKind};
 use alluvium::simulation::Simulation;
 use alluvium::time::{Evolve, LeapFrog, StepSize};
@@ -96,6 +96,8 @@ pub const MISTAKES: &[Mistake] = &[
     Mistake { from: "[water]\n", to: "[water]\ncavitation_pressure_pa = 1.0\n", key: "water.cavitation_pressure_pa", value: "1.0", what: "is out of range", allowed: "0.0" },
     Mistake { from: "[water]\n", to: "[water]\ncavitation_pressure_pa = -1e7\n", key: "water.cavitation_pressure_pa", value: "-1e7", what: "is never reached", allowed: "-8.9286e6" },
     Mistake { from: "[mixture]\n", to: "[mixture]\nvolume_fraction = 0.5\n", key: "mixture.volume_fraction", value: "0.5", what: "is a number", allowed: "\"sum\"" },
+    Mistake { from: "[particles]\n", to: "[particles]\ninterphase_smoothing_ratio = 0.5\n", key: "particles.interphase_smoothing_ratio", value: "0.5", what: "is out of range", allowed: "4.0" },
+    Mistake { from: "smoothing_ratio = 1.5\n", to: "smoothing_ratio = 2.5\ninterphase_smoothing_ratio = 1.2\n", key: "particles.interphase_smoothing_ratio", value: "1.2", what: "less than half", allowed: "from 1.25" },
     Mistake { from: "[particles]\n", to: "[particles]\ngradient_correction = \"Bonet-Lok\"\n", key: "particles.gradient_correction", value: "\"Bonet-Lok\"", what: "is a text", allowed: "true or false" },
     Mistake { from: "[[soil.block]]\n", to: "[[soil.block]]\nheld = \"yes\"\n", key: "soil.block[1].held", value: "\"yes\"", what: "is a text", allowed: "true or false" },
 ];
@@ -110,6 +112,13 @@ fn every_mistake_is_named() {
         error.problems.iter().any(|p| p.key == "mixture" && p.what.contains("nothing to couple")),
         "{error}"
     );
+    let between = alone.replace("[mixture]\nhydraulic_conductivity_m_per_s = 0.1\n", "").replace(
+        "particles.spacing_m = 0.01\n",
+        "particles.spacing_m = 0.01\nparticles.interphase_kernel = \"wendland-c4\"\n",
+    );
+    let error = Case::parse("case.toml", &between).expect_err("water alone");
+    let named = |p: &Problem| p.key == "particles.interphase_kernel" && p.what.contains("nothing to couple");
+    assert!(error.problems.iter().any(named), "{error}");
 }
 
 /// What changes a mixture's numbers, as a key, in the table and in the library.
@@ -117,6 +126,8 @@ fn every_mistake_is_named() {
 #[allow(clippy::type_complexity)]
 const CHOICES: &[(&str, &str, fn(Jet) -> Jet)] = &[
     ("[particles]", "gradient_correction = true", |mixture| mixture.with_gradient_correction()),
+    ("[particles]", "interphase_smoothing_ratio = 1.25", |mixture| mixture.with_interphase_kernel(WendlandC2::new(0.0125).unwrap()).unwrap()),
+    ("[particles]", "interphase_kernel = \"quintic-spline\"\ninterphase_smoothing_ratio = 1.0", |mixture| mixture.with_interphase_kernel(QuinticSpline::new(0.01).unwrap()).unwrap()),
     ("[mixture]", "volume_fraction = \"sum\"", |mixture| mixture.with_volume_fraction(VolumeFraction::Sum)),
     ("[mixture]", "normalised_drag = true", |mixture| mixture.with_normalised_drag()),
     ("[mixture]", "projected_drag = true", |mixture| mixture.with_projected_drag()),
@@ -140,7 +151,7 @@ fn a_choice_in_the_case_is_that_of_the_library() {
         let text = JET.replacen(table, &format!("{table}\n{key}"), 1);
         let case = read(&text).0;
         assert_eq!(read(&case.to_string()).0, case, "{key}");
-        assert!(case.to_string().contains(key), "{key}");
+        assert!(key.lines().all(|key| case.to_string().contains(key)), "{key}");
         let found = bits(mixture(&text));
         assert_eq!(found, bits(chosen(mixture(JET))), "{key}");
         assert_ne!(found, plain, "{key}");

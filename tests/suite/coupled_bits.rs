@@ -1,9 +1,9 @@
-//! Soil and water with what is not there by default, all at once: drag of reconstructed velocities with normalised
-//! weights, explicit and solved, summed volume fractions and cavities. A run has the same bits for any threads,
+//! Soil and water with what is not there by default, all at once: a kernel of its own between them, drag of
+//! reconstructed velocities with normalised weights, explicit and solved, summed volume fractions and cavities. A run has the same bits for any threads,
 //! instructions and search, and if it is kept and resumed on the way.
 
 use crate::fingerprint::hash;
-use alluvium::kernel::WendlandC2;
+use alluvium::kernel::{WendlandC2, WendlandC4};
 use alluvium::material::{Conductivity, Darcy, Elasticity, Soil, Unyielding, Water};
 use alluvium::mixture::{DragScheme, Mixture, Phase, VolumeFraction};
 use alluvium::neighbours::{BruteForce, Periodic};
@@ -50,7 +50,10 @@ fn cloud<T: Real, const D: usize>(scheme: DragScheme) -> Both<T, D> {
     let mut water = Phase::new(law);
     water.add(&places(), volume, |_| T::ZERO).unwrap();
     water.set_velocity(swirl(1.0));
+    let between = WendlandC4::new(T::of(1.9 * spacing)).unwrap();
     Mixture::new(WendlandC2::new(T::of(1.5 * spacing)).unwrap(), soil, water)
+        .with_interphase_kernel(between)
+        .unwrap()
         .with_periodic(Periodic::new(Vector::zero(), [Some(T::ONE); D]).unwrap())
         .with_drag(Darcy::new(Conductivity::new(T::of(0.02)).unwrap()))
         .with_drag_scheme(scheme)

@@ -28,6 +28,7 @@ mod hourglass;
 #[cfg(feature = "implicit")]
 mod implicit_drag;
 mod integrators;
+mod interphase_kernel;
 mod kernels;
 mod lane_code;
 mod lattice_sums;

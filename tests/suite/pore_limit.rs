@@ -35,13 +35,18 @@ fn noisy(fraction: f64) -> Both {
         .with_periodic(Periodic::new(Vector::zero(), [Some(SIDE); 2]).unwrap())
 }
 
+/// The same with a smoothing length between soil and water of so many times that within.
+fn coupled(ratio: f64) -> Both {
+    noisy(0.8).with_interphase_kernel(WendlandC2::new(ratio * H).unwrap()).unwrap()
+}
+
 fn kinetic(mixture: &Both) -> f64 {
     mixture.budget().kinetic
 }
 
 /// By how much the kinetic energy has grown after 600 steps, and what bound the step.
-fn growth(fraction: f64, integrator: impl Integrator<f64>) -> (f64, Limit) {
-    let mut run = Simulation::new(noisy(fraction), integrator, StepSize::courant(0.2).unwrap());
+fn growth(mixture: Both, integrator: impl Integrator<f64>) -> (f64, Limit) {
+    let mut run = Simulation::new(mixture, integrator, StepSize::courant(0.2).unwrap());
     let before = kinetic(run.mixture());
     (0..600).for_each(|_| _ = run.step().unwrap());
     (kinetic(run.mixture()) / before, run.step().unwrap().limit)
@@ -50,13 +55,23 @@ fn growth(fraction: f64, integrator: impl Integrator<f64>) -> (f64, Limit) {
 #[test]
 fn dense_soil_full_of_water_rests() {
     for fraction in [0.7, 0.8, 0.9] {
-        let (leap_frog, limit) = growth(fraction, LeapFrog::new());
+        let (leap_frog, limit) = growth(noisy(fraction), LeapFrog::new());
         assert_eq!(limit, Limit::Pores, "{fraction}");
-        let (verlet, _) = growth(fraction, VelocityVerlet::new());
+        let (verlet, _) = growth(noisy(fraction), VelocityVerlet::new());
         assert!(leap_frog < 1.0 && verlet < 1.0, "{fraction}: {leap_frog:e}, {verlet:e}");
     }
     // What soil and water bear by themselves is shorter where half of the space is water.
-    assert_eq!(growth(0.5, LeapFrog::new()).1, Limit::Acoustic);
+    assert_eq!(growth(noisy(0.5), LeapFrog::new()).1, Limit::Acoustic);
+}
+
+#[test]
+fn a_kernel_between_soil_and_water_narrower_or_wider_leaves_rest_at_rest() {
+    for ratio in [0.5, 0.7, 1.5] {
+        let (leap_frog, limit) = growth(coupled(ratio), LeapFrog::new());
+        assert_eq!(limit, Limit::Pores, "{ratio}");
+        let (verlet, _) = growth(coupled(ratio), VelocityVerlet::new());
+        assert!(leap_frog < 1.0 && verlet < 1.0, "{ratio}: {leap_frog:e}, {verlet:e}");
+    }
 }
 
 /// A fifth of what sound alone bears in 600 steps.

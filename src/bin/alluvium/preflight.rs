@@ -20,6 +20,15 @@ pub fn check_file(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The kernel between soil and water, where it is another.
+fn interphase(case: &Case) -> Option<String> {
+    let own = &case.particles;
+    let other =
+        own.interphase.filter(|it| it.kernel != own.kernel || it.smoothing_ratio != own.smoothing_ratio)?;
+    let h = case.interphase_smoothing_length();
+    Some(format!("between soil and water smoothing length {h:.6} m, {}", other.kernel))
+}
+
 /// The sizes, limits and cost of a case, one per line.
 pub fn summary(case: &Case) -> String {
     let (spacing, h, support) = (case.particles.spacing, case.smoothing_length(), case.support());
@@ -45,6 +54,7 @@ pub fn summary(case: &Case) -> String {
         ),
         format!("about {neighbours} neighbours of each inside"),
     ];
+    lines.extend(interphase(case));
     if let Some(soil) = &case.soil {
         lines.push(speeds(soil));
     }

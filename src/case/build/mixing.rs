@@ -1,8 +1,10 @@
 //! What is between the soil and the water of a case.
 
 use super::{BuildError, SoilLaw};
+use crate::case::choice::KernelChoice;
 use crate::case::model::{Case, Mixing, Water};
-use crate::kernel::Kernel;
+use crate::error::ParameterError;
+use crate::kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, WendlandC6};
 use crate::mixture::{DragScheme, Mixture};
 use crate::real::Real;
 
@@ -30,8 +32,27 @@ impl Mixing {
         if self.reconstructed_drag {
             mixture = mixture.with_reconstructed_drag();
         }
+        mixture = with_interphase_kernel(mixture, case)?;
         let scheme = case.drag_plan().map_or(DragScheme::Explicit, |plan| plan.scheme);
         with_scheme(mixture, scheme)
+    }
+}
+
+/// With a kernel of its own between soil and water, where the case has one.
+fn with_interphase_kernel<T: Real, const D: usize, K: Kernel<T, D>>(
+    mixture: Mixture<T, D, K, SoilLaw<T>>,
+    case: &Case,
+) -> Result<Mixture<T, D, K, SoilLaw<T>>, ParameterError> {
+    let (own, h) = (&case.particles, T::of(case.interphase_smoothing_length()));
+    match own.interphase {
+        Some(it) if it.kernel != own.kernel || it.smoothing_ratio != own.smoothing_ratio => match it.kernel {
+            KernelChoice::WendlandC2 => mixture.with_interphase_kernel(WendlandC2::new(h)?),
+            KernelChoice::WendlandC4 => mixture.with_interphase_kernel(WendlandC4::new(h)?),
+            KernelChoice::WendlandC6 => mixture.with_interphase_kernel(WendlandC6::new(h)?),
+            KernelChoice::CubicSpline => mixture.with_interphase_kernel(CubicSpline::new(h)?),
+            KernelChoice::QuinticSpline => mixture.with_interphase_kernel(QuinticSpline::new(h)?),
+        },
+        _ => Ok(mixture),
     }
 }
 

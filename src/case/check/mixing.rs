@@ -21,6 +21,11 @@ pub(super) fn mixing(reader: &Reader<'_>, case: &Case) {
     if let Some(mixing) = &case.mixing {
         drag(reader, mixing);
     }
+    if case.interphase_smoothing_length() < 0.5 * case.smoothing_length() {
+        let least = (0.5 * case.particles.smoothing_ratio).max(1.0);
+        let why = "is less than half of smoothing_ratio";
+        reader.error("particles.interphase_smoothing_ratio", why, format!("from {least:?} to 4.0"));
+    }
     for (n, inflow) in case.water.iter().flat_map(|water| &water.inflows).enumerate() {
         long_enough(reader, case, n, inflow);
     }

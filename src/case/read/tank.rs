@@ -20,8 +20,7 @@ impl Context<'_, '_> {
         }
         let d = self.dimension;
         let walls = self.walls(section, has_soil);
-        let support = particles.kernel.support_ratio() * particles.smoothing_ratio;
-        let enough = self.defaults.preset.wall_layers(support) as u64;
+        let enough = self.defaults.preset.wall_layers(particles.support_ratio()) as u64;
         let tank = Tank {
             low: section.required_numbers("low_m", d, from_to(-FAR, FAR, "m")),
             high: section.required_numbers("high_m", d, from_to(-FAR, FAR, "m")),

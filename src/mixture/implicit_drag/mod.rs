@@ -175,10 +175,10 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
         let coefficient = |a: usize, slip: f64| {
             law.coefficient(water.volume_fraction(a), water.true_density(a), T::of(slip))
         };
-        let (across, kernel) = (&self.coupling.across, &self.setting.kernel);
+        let across = &self.coupling.across;
         let scheme = self.implicit_drag.scheme;
         if law.knows_slip() {
-            let seen = Pairs::<E>::of((across, drag), kernel, soil, water, |_| T::ONE);
+            let seen = Pairs::<E>::of((across, drag), soil, water, |_| T::ONE);
             let coefficient = |a: usize, slip: f64| coefficient(a, slip).as_f64();
             let pattern = self.implicit_drag.pattern::<E>(across, [soil.len(), water.len()]);
             let sweeps = Sweeps { seen: &seen, coefficient: &coefficient, pattern };
@@ -186,7 +186,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
                 sweeps.solve(stage, velocity, begin)
             })
         } else {
-            let pairs = Pairs::<E>::of((across, drag), kernel, soil, water, |a| coefficient(a, 0.0));
+            let pairs = Pairs::<E>::of((across, drag), soil, water, |a| coefficient(a, 0.0));
             let pattern = self.implicit_drag.pattern::<E>(across, [soil.len(), water.len()]);
             let mut system = None;
             stage.through(scheme, velocity, begin, |stage, velocity, begin| {

@@ -1,7 +1,6 @@
 //! Who drags whom, and how hard: the pair coefficients as a sparse matrix.
 
 use super::bond::{Block, Bond};
-use crate::kernel::Kernel;
 use crate::material::Material;
 use crate::mixture::Phase;
 use crate::mixture::across::Across;
@@ -109,9 +108,8 @@ pub(super) fn listed<T: Real, const D: usize>(across: &Across<T, D>, soil: usize
 
 impl<E: Copy + Default + Send + Sync> Pairs<E> {
     /// With the neighbours listed last, the densities of now and C_a \[kg/m³/s\] at each water particle.
-    pub(super) fn of<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>>(
+    pub(super) fn of<T: Real, const D: usize, S: Material<T>, F: Material<T>>(
         (across, drag): (&Across<T, D>, &Drag<T>),
-        kernel: &K,
         soil: &Phase<T, D, S>,
         water: &Phase<T, D, F>,
         coefficient: impl Fn(usize) -> T,
@@ -119,7 +117,7 @@ impl<E: Copy + Default + Send + Sync> Pairs<E> {
     where
         E: Bond<D>,
     {
-        let nothing = nothing(kernel).as_f64();
+        let nothing = nothing(across.kernel.length()).as_f64();
         // V_a C_a.
         let strengths: Vec<f64> =
             (0..water.len()).map(|a| (water.volume(a) * coefficient(a)).as_f64()).collect();
@@ -127,9 +125,9 @@ impl<E: Copy + Default + Send + Sync> Pairs<E> {
             let mut rows = Rows::default();
             for i in range {
                 if !soil.is_apart(i) {
-                    let volume = drag.soil_side(soil, i, || across.filled(kernel, water, i)).as_f64();
+                    let volume = drag.soil_side(soil, i, || across.filled(water, i)).as_f64();
                     across.for_each_water_near(i, |a, away, r2| {
-                        let coefficient = volume * strengths[a] * kernel.value(r2).as_f64();
+                        let coefficient = volume * strengths[a] * across.kernel.weight(r2).as_f64();
                         rows.push(a, E::new(coefficient, Vector(away.as_f64()), nothing));
                     });
                 }
