@@ -50,7 +50,7 @@ fn cloud<T: Real, const D: usize>(scheme: DragScheme) -> Both<T, D> {
     let mut water = Phase::new(law);
     water.add(&places(), volume, |_| T::ZERO).unwrap();
     water.set_velocity(swirl(1.0));
-    let between = WendlandC4::new(T::of(1.9 * spacing)).unwrap();
+    let between = WendlandC4::new(T::of(1.2 * spacing)).unwrap();
     Mixture::new(WendlandC2::new(T::of(1.5 * spacing)).unwrap(), soil, water)
         .with_interphase_kernel(between)
         .unwrap()
