@@ -1,5 +1,6 @@
 //! Integration tests, one binary.
 
+mod admissible;
 #[cfg(feature = "case")]
 mod case;
 #[cfg(feature = "case")]
@@ -49,5 +50,6 @@ mod source;
 mod summed_fraction;
 mod tank;
 mod walls;
+mod water_bits;
 mod water_law;
 mod yield_surfaces;
