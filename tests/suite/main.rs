@@ -21,6 +21,8 @@ mod drag_laws;
 mod drag_limit;
 #[cfg(feature = "cli")]
 mod drive;
+#[cfg(feature = "cli")]
+mod drive_own;
 mod errata;
 mod fingerprint;
 mod forensics;
