@@ -108,6 +108,23 @@ choice! {
     }
 }
 choice! {
+    /// A component of strain or stress.
+    Component {
+        /// Normal, along x.
+        Xx = "xx",
+        /// Normal, along y.
+        Yy = "yy",
+        /// Normal, along z.
+        Zz = "zz",
+        /// Shear in the plane of x and y.
+        Xy = "xy",
+        /// Shear in the plane of y and z.
+        Yz = "yz",
+        /// Shear in the plane of x and z.
+        Xz = "xz",
+    }
+}
+choice! {
     /// How soil and water drag each other.
     DragKind {
         /// Not at all.

@@ -16,12 +16,13 @@
 //! assert_eq!(Case::parse("case.used.toml", &case.to_string()).unwrap().0, case);
 //! # Ok::<(), String>(())
 //! ```
-//! `docs/case-format.md` lists every key.
+//! `docs/case-format.md` lists every key. [`OwnPath`] reads a path of strain and stress in the same way.
 
 mod bounds;
 mod build;
 mod check;
 mod choice;
+mod legs;
 mod model;
 mod objection;
 mod plan;
@@ -36,9 +37,11 @@ pub use crate::mixture::Slip;
 pub use crate::preset::Preset;
 pub use build::{BuildError, CaseSimulation, SoilLaw};
 pub use choice::{
-    Axis, Choice, DiffusionKind, DragKind, Field, InitialPressure, InitialStress, IntegratorChoice,
-    KernelChoice, Precision, Quantity, SchemeChoice, SearchChoice, Side, SlipChoice, SurfaceKind, WallKind,
+    Axis, Choice, Component, DiffusionKind, DragKind, Field, InitialPressure, InitialStress,
+    IntegratorChoice, KernelChoice, Precision, Quantity, SchemeChoice, SearchChoice, Side, SlipChoice,
+    SurfaceKind, WallKind,
 };
+pub use legs::{OwnLeg, OwnPath};
 pub use model::{
     Block, Case, Drag, Dumps, Frictional, Gauge, Inflow, InterphaseKernel, Mixing, MovingWall, Neighbours,
     Output, Particles, Region, Seepage, Shape, Soil, SoilBody, StepSize, Stiffness, Strength, Tank, Time,

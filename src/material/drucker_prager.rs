@@ -230,7 +230,8 @@ impl<T: Real> YieldSurface<T> for DruckerPrager<T> {
         }
         let multiplier = excess / (g + T::of(9.0) * self.friction * self.dilatancy * k); // (36)
         let pressure = T::of(3.0) * self.dilatancy * k * multiplier - mean; // (31)
-        if -pressure > self.largest_tension {
+        // Without shear only rounding at the apex is outside.
+        if -pressure > self.largest_tension || shear == T::ZERO {
             return self.cut(&deviator, shear);
         }
         // √J₂ − G Δλ, from the cone itself: a trial far outside leaves no rounding behind.
@@ -247,7 +248,7 @@ impl<T: Real> YieldSurface<T> for DruckerPrager<T> {
         if mean > self.largest_tension {
             return self.cut(&deviator, shear);
         }
-        let strength = self.strength(-mean);
+        let strength = self.strength(-mean).max(T::ZERO);
         let outside = shear > strength;
         if !outside {
             return Returned::inside(*stress);

@@ -115,7 +115,8 @@ pub trait YieldSurface<T: Real>: Clone + Debug + Send + Sync + 'static {
             return untorn(*stress, self.largest_tension());
         }
         let isotropic = SymTensor::isotropic(mean);
-        let room = -self.excess(&isotropic);
+        // At an apex rounding may leave less than none.
+        let room = (-self.excess(&isotropic)).max(T::ZERO);
         let scale = room / (room + excess);
         Returned { stress: isotropic + (*stress - isotropic) * scale, place: Place::Face }
     }

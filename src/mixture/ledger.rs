@@ -249,7 +249,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     }
 
     /// Energy \[J\] particle `i` stores.
-    fn stored_by(&self, i: usize, moment: Moment) -> f64 {
+    pub(super) fn stored_by(&self, i: usize, moment: Moment) -> f64 {
         let phase = &self.phase;
         let memory = &phase.fields(moment).memory[i];
         phase.mass[i].as_f64() * phase.material().stored_energy(phase.compression_at(i, moment), memory)

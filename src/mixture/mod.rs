@@ -294,7 +294,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
     /// Replaces stresses of the soil by their Shepard mean; the energy is booked.
     pub fn regularise_stress(&mut self) {
         let lost = self.soil.regularise_stress(&self.setting);
-        for exchanged in &mut self.exchanged {
+        for (exchanged, lost) in self.exchanged.iter_mut().zip(lost) {
             exchanged.taken[Account::Regularisation] += lost;
         }
     }

@@ -1,6 +1,8 @@
 //! Cases of soil: good ones give the same case again, broken ones say where, what and what is allowed.
 
-use alluvium::case::{Case, Field, InitialStress, Shape, Slip, Soil, Stiffness, Strength, Walls, Warnings};
+use alluvium::case::{
+    Case, CaseError, Field, InitialStress, Shape, Slip, Soil, Stiffness, Strength, Walls, Warnings,
+};
 use alluvium::material::{Cone, Plasticity};
 
 /// The column of the paper's Table 2.
@@ -97,9 +99,15 @@ fn every_mistake_is_named() {
 
 /// Whether each mistake in a good case is answered as it says.
 pub fn each_is_named(good: &str, mistakes: &[Mistake]) {
+    each_is_named_in(good, mistakes, |text| Case::parse("case.toml", text).map(|_| ()));
+}
+
+/// The same of another kind of file.
+pub fn each_is_named_in(good: &str, mistakes: &[Mistake], parse: impl Fn(&str) -> Result<(), CaseError>) {
+    assert!(parse(good).is_ok());
     for Mistake { from, to, key, value, what, allowed } in mistakes {
         assert!(good.contains(from), "{from}");
-        let error = Case::parse("case.toml", &good.replacen(from, to, 1)).expect_err(to);
+        let error = parse(&good.replacen(from, to, 1)).expect_err(to);
         let found = error.problems.iter().find(|p| p.key == *key && p.what.contains(what));
         let found = found.unwrap_or_else(|| panic!("`{to}`: no `{what}` for `{key}` in\n{error}"));
         assert!(found.value.contains(value), "`{to}`: value `{}`", found.value);

@@ -1,5 +1,6 @@
 //! Integration tests, one binary.
 
+mod admissible;
 #[cfg(feature = "case")]
 mod case;
 #[cfg(feature = "case")]
@@ -20,6 +21,8 @@ mod drag_laws;
 mod drag_limit;
 #[cfg(feature = "cli")]
 mod drive;
+#[cfg(feature = "cli")]
+mod drive_own;
 mod errata;
 mod fingerprint;
 mod forensics;
@@ -50,5 +53,6 @@ mod source;
 mod summed_fraction;
 mod tank;
 mod walls;
+mod water_bits;
 mod water_law;
 mod yield_surfaces;

@@ -220,30 +220,6 @@ fn a_stress_that_the_law_does_not_bear_is_an_error() {
 }
 
 proptest! {
-    /// Both ways back, on every cone, from anywhere: F ≤ 1e-12 p, and no gain of energy if associated.
-    #[test]
-    fn no_update_leaves_a_stress_outside(
-        values in prop::array::uniform6(-1.0..1.0_f64),
-        increment in prop::array::uniform6(-1.0..1.0_f64),
-        size in 0.0..6.0_f64, reach in -6.0..0.0_f64,
-        friction in 5.0..45.0_f64, share in 0.0..=1.0_f64, which in 0..5_usize,
-    ) {
-        let angles = [friction.to_radians(), (friction * share).to_radians()];
-        let surface = DruckerPrager::new(Cone::ALL[which], angles[0], angles[1]).unwrap();
-        for plasticity in [Plasticity::ReturnMapping, Plasticity::Rate] {
-            let law = soil(surface).with_plasticity(plasticity);
-            let stress = SymTensor(values.map(|x| x * 10_f64.powf(size)));
-            let start = law.admit(SoilMemory::stressed(stress)).0;
-            let mut driver = Driver::new(law, start);
-            let strain = SymTensor(increment.map(|x| x * 10_f64.powf(reach)));
-            let row = driver.follow(&Leg::strain(strain).turning([0.1, -0.2, 0.3]), 1).unwrap()[0];
-            let excess = surface.excess(&row.stress);
-            prop_assert!(excess <= 1e-12 * row.pressure().abs(), "{plasticity:?}: F = {excess:e} at {}", row.pressure());
-            prop_assert!(row.pressure() >= 0.0);
-            prop_assert!(law.admit(row.memory).1.total().abs() <= 1e-12 * (1.0 + row.pressure()), "once is enough");
-        }
-    }
-
     /// The general multiplier's two normals are the derivatives of F.
     #[test]
     fn the_normal_is_the_derivative_of_the_yield_function(values in prop::array::uniform6(-1.0..1.0_f64)) {

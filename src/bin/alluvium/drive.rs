@@ -2,6 +2,7 @@
 
 mod law;
 mod options;
+mod own;
 mod picture;
 
 pub use options::{DriveOptions, PathName, SurfaceName};
@@ -9,12 +10,16 @@ pub use options::{DriveOptions, PathName, SurfaceName};
 use crate::arguments::{Existing, PrecisionName};
 use crate::folder::RunFolder;
 use crate::outcome::Failure;
+use alluvium::Real;
+use alluvium::driver::Row;
+use alluvium::material::Memory;
 use alluvium::output::{Cell, TableWriter};
 use std::io::{self, ErrorKind, Write};
 
 /// What the law answered: one row per increment, begun with the start.
 pub struct Answer {
-    /// The strain \[-\] or angle \[rad\] the path asked for since the start, less where it turned back.
+    /// The strain \[-\] or angle \[rad\] the path asked for since the start, less where it turned back; of an own
+    /// path the legs gone \[-\].
     amounts: Vec<f64>,
     /// What the columns are called.
     names: Vec<String>,
@@ -22,9 +27,17 @@ pub struct Answer {
 }
 
 impl Answer {
+    fn of<T: Real, S: Memory<T>>(amounts: Vec<f64>, rows: &[Row<T, S>]) -> Self {
+        Self { amounts, names: Row::<T, S>::names(), rows: rows.iter().map(Row::numbers).collect() }
+    }
+
     fn columns(&self, path: PathName) -> Vec<String> {
-        let unit = if path == PathName::Rotation { "rad" } else { "-" };
-        core::iter::once(format!("amount [{unit}]")).chain(self.names.iter().cloned()).collect()
+        let amount = match path {
+            PathName::Rotation => "amount [rad]",
+            PathName::Own => "legs gone [-]",
+            _ => "amount [-]",
+        };
+        core::iter::once(amount.to_owned()).chain(self.names.iter().cloned()).collect()
     }
 
     fn lines(&self) -> impl Iterator<Item = Vec<Cell<'static>>> {

@@ -1,10 +1,10 @@
 //! From options to a law, a path and its answer.
 
-use super::{Answer, DriveOptions, PathName, SurfaceName};
+use super::{Answer, DriveOptions, PathName, SurfaceName, own};
 use crate::outcome::Failure;
-use alluvium::driver::{Driver, Kind, Path, Row};
+use alluvium::driver::{Driver, Kind, Path};
 use alluvium::material::{
-    DruckerPrager, Elasticity, MohrCoulomb, Soil, SoilMemory, Unyielding, YieldSurface,
+    DruckerPrager, Elasticity, Material, MohrCoulomb, Soil, SoilMemory, Unyielding, YieldSurface,
 };
 use alluvium::{Real, SymTensor};
 
@@ -68,17 +68,25 @@ fn along<T: Real, Y: YieldSurface<T>>(surface: Y, options: &DriveOptions) -> Res
     let start = start(options, &surface)?;
     let plasticity = law.plasticity.map(|name| name.plasticity()).unwrap_or_default();
     let soil = Soil::new(T::of(DENSITY), elasticity, surface)?.with_plasticity(plasticity);
-    let (kind, amount, cycles) = way(options)?;
+    let driver = Driver::new(soil, start);
+    match kind(options.path) {
+        Some(kind) => follow(driver, kind, options),
+        None => own::follow(driver, options),
+    }
+}
+
+/// Along a named path: how far it has gone, and what the law answered.
+fn follow<T: Real, M: Material<T>>(
+    mut driver: Driver<T, M>,
+    kind: Kind,
+    options: &DriveOptions,
+) -> Result<Answer, Failure> {
+    let (amount, cycles) = way(options, kind)?;
     let path = Path::new(kind, T::of(amount)).cyclic(cycles);
     let steps = options.way.steps as usize;
-    let rows = Driver::new(soil, start)
-        .run(&path, steps)
-        .map_err(|error| Failure::Numerical(format!("{}: {error}", kind.name())))?;
-    Ok(Answer {
-        amounts: amounts(amount, cycles, steps),
-        names: Row::<T, SoilMemory<T>>::names(),
-        rows: rows.iter().map(Row::numbers).collect(),
-    })
+    let rows =
+        driver.run(&path, steps).map_err(|error| Failure::Numerical(format!("{}: {error}", kind.name())))?;
+    Ok(Answer::of(amounts(amount, cycles, steps), &rows))
 }
 
 /// The stress at the start, which has to be admissible.
@@ -106,10 +114,9 @@ fn start<T: Real>(options: &DriveOptions, surface: &impl YieldSurface<T>) -> Res
     Ok(SoilMemory::stressed(stress))
 }
 
-/// The library's path, how far it goes one way, and how often.
-fn way(options: &DriveOptions) -> Result<(Kind, f64, usize), Failure> {
-    let way = &options.way;
-    let kind = match options.path {
+/// The library's path of this name; none if it is an own one.
+fn kind(path: PathName) -> Option<Kind> {
+    Some(match path {
         PathName::Oedometer => Kind::Oedometer,
         PathName::TriaxialCompression => Kind::TriaxialCompression,
         PathName::TriaxialExtension => Kind::TriaxialExtension,
@@ -117,7 +124,16 @@ fn way(options: &DriveOptions) -> Result<(Kind, f64, usize), Failure> {
         PathName::PureShear => Kind::PureShear,
         PathName::Isotropic => Kind::Isotropic,
         PathName::Rotation => Kind::Rotation,
-    };
+        PathName::Own => return None,
+    })
+}
+
+/// How far the path goes one way, and how often.
+fn way(options: &DriveOptions, kind: Kind) -> Result<(f64, usize), Failure> {
+    let way = &options.way;
+    if way.legs.is_some() {
+        return Err(Failure::Usage("--legs has a meaning on the path own only".to_owned()));
+    }
     let amount = match (kind, way.strain, way.angle) {
         (Kind::Rotation, Some(_), _) => {
             return Err(Failure::Usage(
@@ -140,7 +156,7 @@ fn way(options: &DriveOptions) -> Result<(Kind, f64, usize), Failure> {
     if cycles < once {
         return Err(Failure::Usage("the path cyclic has at least one cycle".to_owned()));
     }
-    Ok((kind, amount, cycles as usize))
+    Ok((amount, cycles as usize))
 }
 
 /// How far the path has gone at each row.

@@ -83,6 +83,9 @@ pub struct WayOptions {
     /// Increments of each way.
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub steps: u32,
+    /// Legs of the path `own`, in TOML; docs/case-format.md lists the keys.
+    #[arg(long, value_name = "FILE")]
+    pub legs: Option<PathBuf>,
     /// There, as far the other way, and back, so often; 0 is one way only [default: 0; 1 on the path
     /// `cyclic`].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=100_000))]
@@ -108,6 +111,8 @@ pub enum PathName {
     Rotation,
     /// Simple shear to and fro.
     Cyclic,
+    /// Legs of strain, stress or both from a file: give --legs.
+    Own,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

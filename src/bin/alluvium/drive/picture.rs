@@ -18,6 +18,7 @@ fn title(options: &DriveOptions) -> String {
         PathName::Isotropic => "Isotropic compression",
         PathName::Rotation => "Rotation",
         PathName::Cyclic => "Cyclic simple shear",
+        PathName::Own => "Own path",
     }
     .to_owned()
 }
@@ -51,6 +52,7 @@ fn stress_strain(options: &DriveOptions, answer: &Answer) -> Chart {
         PathName::TriaxialExtension => ("axial lengthening [-]", 1.0, ["zz", "xx"].as_slice()),
         PathName::Isotropic => ("volume lost [-]", 1.0, ["zz"].as_slice()),
         PathName::Rotation => ("angle [°]", 1_f64.to_degrees(), ["xx", "yy", "xy"].as_slice()),
+        PathName::Own => ("legs gone [-]", 1.0, ["xx", "yy", "zz", "xy"].as_slice()),
         PathName::SimpleShear | PathName::PureShear | PathName::Cyclic => {
             ("shear strain γ [-]", 1.0, ["xy", "xx", "yy"].as_slice())
         }
