@@ -8,7 +8,7 @@ use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
 use alluvium::verify::plot::{Chart, Series};
 use alluvium::verify::u_tube::{Levels, exact_difference, initial_difference};
-use alluvium::verify::{Conditions, Level, Measured, Parcel, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Parcel, Study};
 use std::ops::ControlFlow;
 
 const CASE: &str = include_str!("cases/u_tube.toml");
@@ -28,7 +28,11 @@ pub fn studies() -> Vec<Study> {
             .source("(L_o + L/n) z'' + gL/k z' + 2gz = 0, of which Eq. (80) is the slow root")
             .level(Level::Full)
             .expect(WITHIN)
-            .mutant(PERMEABLE),
+            .mutant(PERMEABLE)
+            .falls_short(
+                Expected::Bound { largest: 1.1 },
+                "q L/(k Δh) is 0.959 at one instant, as the water sways; every 2 s it is 0.971 to 0.989",
+            ),
     ]
 }
 

@@ -4,7 +4,7 @@ use crate::bands::{Band, WITHIN, measured, range, worst};
 use crate::u_tube::{PERMEABLE, follow, text};
 use alluvium::budget::{Account, Budget};
 use alluvium::verify::u_tube::{Levels, exact_difference, initial_difference};
-use alluvium::verify::{Conditions, Level, Measured, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 
 /// The end and how often it is looked at \[s\].
 const END: f64 = 1.0;
@@ -13,7 +13,13 @@ const INTERVAL: f64 = 0.1;
 const EQUAL: f64 = 2.0;
 
 pub fn studies() -> Vec<Study> {
-    vec![of("u-tube/silt/k = 1e-4", 1e-4), of("u-tube/silt/k = 1e-6", 1e-6)]
+    vec![
+        of("u-tube/silt/k = 1e-4", 1e-4),
+        of("u-tube/silt/k = 1e-6", 1e-6).falls_short(
+            Expected::Bound { largest: 1.1 },
+            "0.947 to 0.954 of Darcy's flow; with h = 1.9 Δx 0.948 to 0.957, so that it is not the width of the sums",
+        ),
+    ]
 }
 
 fn of(name: &str, conductivity: f64) -> Study {
