@@ -64,7 +64,7 @@ fn present(case: &Case, finished: Finished, watch: &Watch<'_>) -> Result<(), Fai
     run.conclude(&report)
 }
 
-/// The case as a file: the paper's sizes, Table 1. The tank's walls are five times as high as the column,
+/// The case as a file: the paper's sizes, Table 1. The tank's walls are eight times as high as the column,
 /// to keep all that shoots up the far side; the paper's end where the column does.
 pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, dumps: &str) -> String {
     let time = match options.preset.preset() {
@@ -79,7 +79,7 @@ pub(super) fn case_text(name: &str, options: &ReproduceOptions, spacing: f64, du
          [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{TANK:?}, {:?}]\nopen = [\"+y\"]\n\
          [time]\n{time}\n\
          [output]\ndump_times_s = [{dumps}]\nhistory_interval_s = 5.0e-4\n",
-            5.0 * HEIGHT
+            8.0 * HEIGHT
         )
 }
 
