@@ -12,13 +12,13 @@ use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 use std::ops::ControlFlow;
 
 const UNBOOKED: &str = "artificial viscosity left out of the ledger";
-const CASES: [(&str, &str); 4] = [
+pub const CASES: [(&str, &str); 4] = [
     ("dam break", include_str!("cases/dam_break.toml")),
     ("sand column", include_str!("cases/sand_column.toml")),
     ("U-tube", include_str!("cases/u_tube.toml")),
     ("jet", include_str!("cases/jet.toml")),
 ];
-const TANK: &str = include_str!("cases/tank_3d.toml");
+pub const TANK: &str = include_str!("cases/tank_3d.toml");
 
 const PLASTICITY: &str =
     "λ̇ where F ≥ 0, cracking and scaling back at each half step take more energy than there is";
@@ -73,16 +73,7 @@ fn budget<T: Real, const D: usize>(
     let claim = "the ledger closes: what no account explains is below two thousandths of the energy that was there and \
                  came in (values: that part at the worst instant; of the time, what did not run)";
     Study::new(title.clone(), claim, move |conditions| {
-        let text = text.replace("PRESET", preset).replace("INTEGRATOR", integrator);
-        let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));
-        let ledger = match case.time.integrator {
-            IntegratorChoice::LeapFrog => follow::<T, D>(&case, LeapFrog::new()),
-            IntegratorChoice::LeapFrogAb3 => {
-                follow::<T, D>(&case, LeapFrog::new().with_third_order_density())
-            }
-            IntegratorChoice::VelocityVerlet => follow::<T, D>(&case, VelocityVerlet::new()),
-        };
-        measured(&title, &ledger, conditions)
+        measured(&title, &ledger::<T, D>(text, preset, integrator), conditions)
     })
     .equations(&["52", "53", "55", "58", "59", "71"])
     .source("conservation of energy")
@@ -92,12 +83,23 @@ fn budget<T: Real, const D: usize>(
 }
 
 /// A hundred instants of a run.
-struct Ledger<const D: usize> {
-    budgets: Vec<Budget<D>>,
+pub struct Ledger<const D: usize> {
+    pub budgets: Vec<Budget<D>>,
     /// Why it ended before its time.
     stopped: Option<String>,
     /// The part of the time it ran \[-\].
     ran: f64,
+}
+
+/// Of this case.
+pub fn ledger<T: Real, const D: usize>(text: &str, preset: &str, integrator: &str) -> Ledger<D> {
+    let text = text.replace("PRESET", preset).replace("INTEGRATOR", integrator);
+    let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));
+    match case.time.integrator {
+        IntegratorChoice::LeapFrog => follow::<T, D>(&case, LeapFrog::new()),
+        IntegratorChoice::LeapFrogAb3 => follow::<T, D>(&case, LeapFrog::new().with_third_order_density()),
+        IntegratorChoice::VelocityVerlet => follow::<T, D>(&case, VelocityVerlet::new()),
+    }
 }
 
 fn follow<T: Real, const D: usize>(case: &Case, integrator: impl Integrator<T>) -> Ledger<D> {

@@ -49,6 +49,8 @@ mod layers;
 mod manufactured;
 mod mistaken_motions;
 mod mixture_rates;
+#[cfg(feature = "case")]
+mod momentum;
 mod motions;
 mod operators;
 mod operators_exact;
@@ -136,6 +138,8 @@ fn studies() -> Vec<Study> {
         driver_turning::studies(),
         #[cfg(feature = "case")]
         budgets::studies(),
+        #[cfg(feature = "case")]
+        momentum::studies(),
         #[cfg(feature = "case")]
         sand_column::studies(),
         #[cfg(feature = "case")]

@@ -35,6 +35,7 @@ pub fn studies() -> Vec<Study> {
         drift::<f64, 2>("mixture/pore volumes/interphase kernel/2d/f64", WIDER_BETWEEN, &[1.0])
             .level(Level::Full),
         drift::<f64, 3>("mixture/pore volumes/quick/3d/f64", SHORT, &[1.0]).level(Level::Full),
+        drift::<f32, 3>("mixture/pore volumes/quick/3d/f32", SHORT, &[1.0]).level(Level::Full),
         unlocked::<f64, 2>("mixture/no locking in motion/2d/f64"),
         unlocked::<f32, 2>("mixture/no locking in motion/2d/f32"),
         unlocked::<f64, 3>("mixture/no locking in motion/3d/f64").level(Level::Full),

@@ -7,7 +7,7 @@ use alluvium::mixture::{ArtificialStress, Mixture, Phase, Slip, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{LeapFrog, StepSize};
 use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
-use alluvium::{SymTensor, Vector, setup};
+use alluvium::{Real, SymTensor, Vector, setup};
 use core::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
 
@@ -26,31 +26,41 @@ const LATE: f64 = 1.5;
 
 pub fn studies() -> Vec<Study> {
     vec![
-        Study::new(
-            "soil/vertical cut/stands",
-            "a cut 0.85 times as high as the critical height stands (value: how far its crest has sunk, over the \
-             height)",
-            |conditions| Measured::value(1.0 - crest(0.85, conditions)),
-        )
-        .source(SOURCE)
-        .level(Level::Full)
-        .expect(Expected::Bound { largest: 0.02 })
-        .mutant(WEAK),
-        Study::new(
-            "soil/vertical cut/falls",
-            "a cut 1.15 times as high as the critical height falls (value: where its crest is, over the height)",
-            |conditions| Measured::value(crest(1.15, conditions)),
-        )
-        .source(SOURCE)
-        .level(Level::Full)
-        .expect(Expected::Bound { largest: 0.9 })
-        .mutant(STRONG),
+        stands::<f64>("soil/vertical cut/stands"),
+        stands::<f32>("soil/vertical cut/stands/f32"),
+        falls::<f64>("soil/vertical cut/falls"),
+        falls::<f32>("soil/vertical cut/falls/f32"),
     ]
+}
+
+fn stands<T: Real>(name: &str) -> Study {
+    Study::new(
+        name,
+        "a cut 0.85 times as high as the critical height stands (value: how far its crest has sunk, over the \
+         height)",
+        |conditions| Measured::value(1.0 - crest::<T>(0.85, conditions)),
+    )
+    .source(SOURCE)
+    .level(Level::Full)
+    .expect(Expected::Bound { largest: 0.02 })
+    .mutant(WEAK)
+}
+
+fn falls<T: Real>(name: &str) -> Study {
+    Study::new(
+        name,
+        "a cut 1.15 times as high as the critical height falls (value: where its crest is, over the height)",
+        |conditions| Measured::value(crest::<T>(1.15, conditions)),
+    )
+    .source(SOURCE)
+    .level(Level::Full)
+    .expect(Expected::Bound { largest: 0.9 })
+    .mutant(STRONG)
 }
 
 /// Height of the crest at the end over that at the start, of a cut `ratio` times as high as the critical
 /// height: the height is the same, the cohesion is not.
-fn crest(ratio: f64, conditions: &Conditions) -> f64 {
+fn crest<T: Real>(ratio: f64, conditions: &Conditions) -> f64 {
     let slope = (FRAC_PI_4 + 0.5 * FRICTION_ANGLE.to_radians()).tan();
     let mistake = match (conditions.is(WEAK), conditions.is(STRONG)) {
         (true, _) => 2.0 / 3.0,
@@ -58,41 +68,49 @@ fn crest(ratio: f64, conditions: &Conditions) -> f64 {
         _ => 1.0,
     };
     let cohesion = mistake * DENSITY * GRAVITY * HEIGHT / (3.83 * slope * ratio);
-    let step = StepSize::courant(0.2).expect("0.2");
-    let mut run = Simulation::new(cut(cohesion), LeapFrog::new(), step);
+    let step = StepSize::courant(T::of(0.2)).expect("0.2");
+    let mut run = Simulation::new(cut::<T>(cohesion), LeapFrog::new(), step);
     run.start().expect("a sound start");
     let soil = run.mixture().soil();
-    let beyond = |x: &Vector<f64, 2>| (*x - Vector([WIDTH, HEIGHT])).norm();
+    let beyond = |x: &Vector<T, 2>| (*x - Vector::of([WIDTH, HEIGHT])).norm();
     let free = soil.wall_particles()..soil.len();
-    let nearest = free.min_by(|&a, &b| beyond(&soil.positions()[a]).total_cmp(&beyond(&soil.positions()[b])));
-    let id = soil.ids()[nearest.expect("particles")];
+    let nearer = |a: &usize, b: &usize| {
+        let [a, b] = [a, b].map(|&i| beyond(&soil.positions()[i]).as_f64());
+        a.total_cmp(&b)
+    };
+    let id = soil.ids()[free.min_by(nearer).expect("particles")];
     let _: ControlFlow<()> = run.run_until(LATE, |_| ControlFlow::Continue(())).expect("a sound run");
     let soil = run.mixture().soil();
     let at = soil.ids().iter().position(|&other| other == id).expect("nobody leaves");
-    (soil.positions()[at][1] + 0.5 * SPACING) / HEIGHT
+    (soil.positions()[at][1].as_f64() + 0.5 * SPACING) / HEIGHT
 }
 
-fn cut(cohesion: f64) -> SoilMixture<f64, 2, Soil<f64>> {
-    let elasticity = Elasticity::new(2e6, 0.3).expect("moduli");
-    let friction = FRICTION_ANGLE.to_radians();
-    let cone =
-        DruckerPrager::cohesive(Cone::PlaneStrainNonDilatant, friction, 0.0, cohesion).expect("a cone");
-    let lateral = elasticity.lateral_ratio();
-    let mut phase = Phase::new(Soil::new(DENSITY, elasticity, cone).expect("a soil"));
-    let volume = SPACING * SPACING;
+fn cut<T: Real>(cohesion: f64) -> SoilMixture<T, 2, Soil<T>> {
+    let elasticity = Elasticity::new(T::of(2e6), T::of(0.3)).expect("moduli");
+    let (friction, zero) = (T::of(FRICTION_ANGLE.to_radians()), T::ZERO);
+    let cone = DruckerPrager::cohesive(Cone::PlaneStrainNonDilatant, friction, zero, T::of(cohesion))
+        .expect("a cone");
+    let lateral = elasticity.lateral_ratio().as_f64();
+    let mut phase = Phase::new(Soil::new(T::of(DENSITY), elasticity, cone).expect("a soil"));
+    let volume = T::of(SPACING * SPACING);
     let tank = setup::tank([0.0; 2], [2.0 * WIDTH, 1.5 * HEIGHT], SPACING, 3, [(true, false), (true, false)]);
-    phase.add_wall(Wall::extrapolated(Slip::NoSlip), &tank, volume, |_| 0.0).expect("a wall");
-    phase.add(&setup::fill([0.0; 2], [WIDTH, HEIGHT], SPACING), volume, |_| 0.0).expect("particles");
+    phase.add_wall(Wall::extrapolated(Slip::NoSlip), &tank, volume, |_| zero).expect("a wall");
+    phase.add(&setup::fill([0.0; 2], [WIDTH, HEIGHT], SPACING), volume, |_| zero).expect("particles");
     phase.set_stress(|x| {
-        let depth = if x[0] < WIDTH { (HEIGHT - x[1]).clamp(0.0, HEIGHT) } else { 0.0 };
+        let [x, y] = x.as_f64();
+        let depth = if x < WIDTH { (HEIGHT - y).clamp(0.0, HEIGHT) } else { 0.0 };
         let vertical = -DENSITY * GRAVITY * depth;
         // Nothing presses on the face of the cut.
-        let level = vertical * lateral * ((WIDTH - x[0]) / (0.5 * HEIGHT)).clamp(0.0, 1.0);
-        SymTensor([level, vertical, level, 0.0, 0.0, 0.0])
+        let level = vertical * lateral * ((WIDTH - x) / (0.5 * HEIGHT)).clamp(0.0, 1.0);
+        SymTensor([level, vertical, level, 0.0, 0.0, 0.0].map(T::of))
     });
-    let kernel = WendlandC2::new(1.3 * SPACING).expect("a length");
+    let kernel = WendlandC2::new(T::of(1.3 * SPACING)).expect("a length");
     Mixture::of_soil(kernel, phase)
-        .with_gravity(Vector([0.0, -GRAVITY]))
-        .with_artificial_stress(ArtificialStress { strength: 0.3, exponent: 4, spacing: SPACING })
+        .with_gravity(Vector::of([0.0, -GRAVITY]))
+        .with_artificial_stress(ArtificialStress {
+            strength: T::of(0.3),
+            exponent: 4,
+            spacing: T::of(SPACING),
+        })
         .expect("numerics")
 }

@@ -39,8 +39,12 @@ type Plate<T> = SoilMixture<T, 2, Soil<T, Unyielding>>;
 pub fn studies() -> Vec<Study> {
     vec![
         plate("soil/plate", &[7, 14]).level(Level::Full).expect(ORDERS).mutant(STIFF),
-        held("soil/plate held/coarse", &[6]).expect(Expected::Bound { largest: BAR }).mutant(STIFF),
-        held("soil/plate held", &[10, 14])
+        held::<f64>("soil/plate held/coarse", &[6]).expect(Expected::Bound { largest: BAR }).mutant(STIFF),
+        held::<f32>("soil/plate held/coarse/f32", &[6])
+            .level(Level::Full)
+            .expect(Expected::Bound { largest: BAR })
+            .mutant(STIFF),
+        held::<f64>("soil/plate held", &[10, 14])
             .level(Level::Full)
             .expect(Expected::Bound { largest: BAR })
             .mutant(STIFF),
@@ -62,7 +66,7 @@ fn plate(name: &str, counts: &'static [usize]) -> Study {
          particles across)",
         move |conditions| {
             Measured::errors(counts.iter().map(|&count| {
-                (THICKNESS / count as f64, difference(clamped(THICKNESS / count as f64, conditions)))
+                (THICKNESS / count as f64, difference(clamped::<f64>(THICKNESS / count as f64, conditions)))
             }))
         },
     )
@@ -72,7 +76,7 @@ fn plate(name: &str, counts: &'static [usize]) -> Study {
 
 /// Held with the published stiffness. The spacing divides the clamp: with an odd number
 /// across, its last row would stand in the plate.
-fn held(name: &str, counts: &'static [usize]) -> Study {
+fn held<T: Real>(name: &str, counts: &'static [usize]) -> Study {
     Study::new(
         name,
         "with corrected gradients and hourglass control the frequency of a clamped plate is that of theory (values: \
@@ -80,7 +84,7 @@ fn held(name: &str, counts: &'static [usize]) -> Study {
         move |conditions| {
             Measured::values(counts.iter().map(|&count| {
                 let spacing = THICKNESS / count as f64;
-                (count.to_string(), difference(controlled(spacing, STIFFNESS, conditions)))
+                (count.to_string(), difference(controlled::<T>(spacing, STIFFNESS, conditions)))
             }))
         },
     )
@@ -99,7 +103,7 @@ fn converging(name: &str, share: f64, counts: &'static [usize]) -> Study {
         move |conditions| {
             Measured::errors(counts.iter().map(|&count| {
                 let spacing = THICKNESS / count as f64;
-                (spacing, difference(controlled(spacing, share * STIFFNESS, conditions)))
+                (spacing, difference(controlled::<f64>(spacing, share * STIFFNESS, conditions)))
             }))
         },
     )
@@ -115,7 +119,7 @@ fn exact() -> f64 {
 }
 
 /// |ω/ω_exact − 1|.
-fn difference(mixture: Plate<f64>) -> f64 {
+fn difference<T: Real>(mixture: Plate<T>) -> f64 {
     let fit = oscillation(&tip(mixture), exact());
     (fit.frequency / exact() - 1.0).abs()
 }
@@ -147,8 +151,8 @@ fn clamped<T: Real>(spacing: f64, conditions: &Conditions) -> Plate<T> {
 }
 
 /// With corrected gradients and control of what they do not see.
-fn controlled(spacing: f64, stiffness: f64, conditions: &Conditions) -> Plate<f64> {
-    let control = HourglassControl { stiffness, viscosity: 0.1 };
+fn controlled<T: Real>(spacing: f64, stiffness: f64, conditions: &Conditions) -> Plate<T> {
+    let control = HourglassControl { stiffness: T::of(stiffness), viscosity: T::of(0.1) };
     let mixture = free(spacing, conditions).with_gradient_correction();
     mixture.with_hourglass_control(control).expect("a strength")
 }

@@ -4,7 +4,7 @@ use crate::bands::{Band, WITHIN, measured, range, worst};
 use crate::u_tube::{PERMEABLE, follow, text};
 use alluvium::budget::{Account, Budget};
 use alluvium::verify::u_tube::{Levels, exact_difference, initial_difference};
-use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
+use alluvium::verify::{Conditions, Level, Measured, Study};
 
 /// The end and how often it is looked at \[s\].
 const END: f64 = 1.0;
@@ -15,10 +15,7 @@ const EQUAL: f64 = 2.0;
 pub fn studies() -> Vec<Study> {
     vec![
         of("u-tube/silt/k = 1e-4", 1e-4),
-        of("u-tube/silt/k = 1e-6", 1e-6).falls_short(
-            Expected::Bound { largest: 1.1 },
-            "0.947 to 0.954 of Darcy's flow; with h = 1.9 Δx 0.948 to 0.957, so that it is not the width of the sums",
-        ),
+        of("u-tube/silt/k = 1e-6", 1e-6),
     ]
 }
 
@@ -33,9 +30,12 @@ fn of(name: &str, conductivity: f64) -> Study {
         .mutant(PERMEABLE)
 }
 
-/// A case of this conductivity, drag solved over the step.
+/// A case of this conductivity, drag solved over the step. The usual density diffusion spreads pore pressure by
+/// 2δhc = 1.4 m²/s, silt of 1e-6 m/s by 8e-4 m²/s: it would bend the course of the pressure at both ends of the soil.
+/// The renormalised one leaves what is linear alone.
 fn solved(conductivity: f64) -> String {
-    text(conductivity).replace("[mixture]", "[mixture]\ndrag_scheme = \"backward-euler\"")
+    let case = text(conductivity).replace("[mixture]", "[mixture]\ndrag_scheme = \"backward-euler\"");
+    case + "\n[water.density_diffusion]\nkind = \"renormalised\"\n"
 }
 
 /// The same with both arms and the soil between them filled to one level.

@@ -37,8 +37,8 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     let end = if options.quick { QUICK_END } else { END };
     let watched = run(&options.name, &text(options, end), &options.output)?;
     let more = format!(
-        " H = {HEIGHT} m, k = {CONDUCTIVITY} m/s, c_v = {:.4} m²/s; no density diffusion, which would diffuse \
-         pore pressure beside the drainage.",
+        " H = {HEIGHT} m, k = {CONDUCTIVITY} m/s, c_v = {:.4} m²/s; renormalised density diffusion: the usual one \
+         would diffuse pore pressure beside the drainage.",
         layer().coefficient()
     );
     let head = head::of_report(
@@ -104,7 +104,7 @@ fn text(options: &ReproduceOptions, end: f64) -> String {
          [output]\ndump_times_s = [{dumps}]\nhistory_interval_s = {:?}\n\
          fields = [\"velocity\", \"pressure\", \"stress\"]\n\
          [water]\nsound_speed_m_per_s = {SOUND_SPEED:?}\n\
-         [water.density_diffusion]\nkind = \"none\"\n\
+         [water.density_diffusion]\nkind = \"renormalised\"\n\
          [[water.block]]\nlow_m = [0.0, {HEIGHT:?}]\nhigh_m = [{width:?}, {level:?}]\n",
         unit_of_time() / 1000.0
     )
