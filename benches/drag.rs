@@ -1,10 +1,14 @@
 //! A step of soil and water with drag solved over it, against the same step with explicit drag.
 //!
-//! The time is that of one step of leap-frog with backward Euler, in `f64`, of soil and water in disorder through a
-//! periodic box, water in two waves; z is the step over the stopping time.
+//! The time is that of one step of leap-frog with backward Euler, in `f64`: of the paper's jet as it digs, and of soil
+//! and water in disorder through a periodic box, water in two waves; z is the step over the stopping time.
 
 mod scene;
 
+#[cfg(feature = "case")]
+use alluvium::Preset;
+#[cfg(feature = "case")]
+use alluvium::case::{Case, SoilLaw};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, Elasticity, Soil, Unyielding, Water};
 use alluvium::mixture::{DragScheme, Mixture, Phase};
@@ -16,6 +20,8 @@ use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput};
 use scene::CpuTime;
 use std::f64::consts::TAU;
 use std::hint::black_box;
+#[cfg(feature = "case")]
+use std::ops::ControlFlow;
 
 /// ρ_f, ρ_s \[kg/m³\] and φ_s of soil and water.
 const DENSITIES: [f64; 2] = [1000.0, 2650.0];
@@ -29,6 +35,9 @@ const STIFF: [f64; 6] = [1.0, 10.0, 1e2, 1e3, 1e4, 1e6];
 
 type Run<const D: usize> =
     Simulation<f64, D, WendlandC2<f64, D>, Soil<f64, Unyielding>, Water<f64>, LeapFrog<f64>>;
+
+#[cfg(feature = "case")]
+type JetRun = Simulation<f64, 2, WendlandC2<f64, 2>, SoilLaw<f64>, Water<f64>, LeapFrog<f64>>;
 
 /// A box of side one, `side` particles of soil and as many of water along each axis, whose steps are `z` stopping
 /// times.
@@ -92,8 +101,43 @@ fn step<const D: usize>(criterion: &mut Criterion<CpuTime>, name: &str, side: us
     group.finish();
 }
 
+/// A step of the paper's jet as it digs, with the default preset.
+#[cfg(feature = "case")]
+fn jet(criterion: &mut Criterion<CpuTime>) {
+    let mut group = criterion.benchmark_group("drag/jet");
+    group.sampling_mode(SamplingMode::Flat);
+    for (scheme, conductivity) in
+        [("explicit", 5e-4), ("backward-euler", 5e-4), ("backward-euler", 1e-5), ("backward-euler", 1e-8)]
+    {
+        let mut run = None;
+        group.bench_function(BenchmarkId::new(scheme, format!("k = {conductivity:e}")), |bencher| {
+            let run = run.get_or_insert_with(|| digging(scheme, conductivity));
+            bencher.iter(|| black_box(run.step().expect("a sound step")));
+        });
+    }
+    group.finish();
+}
+
+/// The jet 4 ms after its start.
+#[cfg(feature = "case")]
+fn digging(scheme: &str, conductivity: f64) -> JetRun {
+    let text = include_str!("../verification/cases/jet.toml")
+        .replace("PRESET", "default")
+        .replace("INTEGRATOR", "leap-frog-ab3")
+        .replace("[[water.block]]", "cavitation_pressure_pa = -101325.0\n[[water.block]]")
+        .replace("[mixture]", &format!("[mixture]\ndrag_scheme = \"{scheme}\""))
+        .replace("conductivity_m_per_s = 5.0e-4", &format!("conductivity_m_per_s = {conductivity:?}"));
+    let (case, _) = Case::parse("jet", &text).expect("a case");
+    let kernel = WendlandC2::new(case.smoothing_length()).expect("a length");
+    let mut run = case.simulation(kernel, Preset::Default.leap_frog()).expect("a case");
+    let _: ControlFlow<()> = run.run_until(0.004, |_| ControlFlow::Continue(())).expect("a sound run");
+    run
+}
+
 fn main() {
     scene::run(|criterion| {
+        #[cfg(feature = "case")]
+        jet(criterion);
         step::<2>(criterion, "2D 7k", 60);
         step::<2>(criterion, "2D 20k", 100);
         step::<2>(criterion, "2D 60k", 173);

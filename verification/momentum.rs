@@ -18,9 +18,8 @@ pub fn studies() -> Vec<Study> {
         studies.push(of("default", "leap-frog-ab3"));
         studies.push(of("paper", "leap-frog").level(Level::Full));
         let single = format!("{name}/default/f32");
-        studies.push(
-            momentum::<f32, 2>(&single, text, ("default", "leap-frog-ab3"), SINGLE).level(Level::Full),
-        );
+        studies
+            .push(momentum::<f32, 2>(&single, text, ("default", "leap-frog-ab3"), SINGLE).level(Level::Full));
     }
     let choices = ("default", "leap-frog-ab3");
     studies.push(momentum::<f64, 3>("tank/3d/f64", TANK, choices, DOUBLE).level(Level::Full));

@@ -13,10 +13,7 @@ const INTERVAL: f64 = 0.1;
 const EQUAL: f64 = 2.0;
 
 pub fn studies() -> Vec<Study> {
-    vec![
-        of("u-tube/silt/k = 1e-4", 1e-4),
-        of("u-tube/silt/k = 1e-6", 1e-6),
-    ]
+    vec![of("u-tube/silt/k = 1e-4", 1e-4), of("u-tube/silt/k = 1e-6", 1e-6)]
 }
 
 fn of(name: &str, conductivity: f64) -> Study {

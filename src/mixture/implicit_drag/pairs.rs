@@ -45,6 +45,31 @@ impl<E: Copy + Default> Rows<E> {
         sum
     }
 
+    /// Σ K P x(j) over the entries j of a row. Every other entry goes to a sum of its own: one addition need not wait
+    /// for the last.
+    #[inline(always)]
+    pub(super) fn pulled<const D: usize>(
+        &self,
+        row: usize,
+        x: impl Fn(usize) -> Vector<f64, D>,
+    ) -> Vector<f64, D>
+    where
+        E: Bond<D>,
+    {
+        let start = if row > 0 { self.ends[row - 1] } else { 0 };
+        let (columns, values) = (&self.columns[start..self.ends[row]], &self.values[start..self.ends[row]]);
+        let mut sums = [Vector::zero(); 2];
+        let (mut columns, mut values) = (columns.chunks_exact(2), values.chunks_exact(2));
+        for (j, bond) in columns.by_ref().zip(values.by_ref()) {
+            sums[0] += bond[0].pull(x(j[0] as usize));
+            sums[1] += bond[1].pull(x(j[1] as usize));
+        }
+        for (j, bond) in columns.remainder().iter().zip(values.remainder()) {
+            sums[0] += bond.pull(x(*j as usize));
+        }
+        sums[0] + sums[1]
+    }
+
     fn push(&mut self, column: usize, value: E) {
         self.columns.push(column as u32);
         self.values.push(value);

@@ -133,16 +133,12 @@ impl<'a, E: Bond<D>, const D: usize> System<'a, E, D> {
         let (on_soil, on_water) = drag.split_at_mut(self.stage.soil);
         parallel::for_each_part(on_soil, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (i, force) in (first..).zip(part) {
-                for (a, bond) in self.pairs.of_soil.of(i) {
-                    *force += bond.pull(water[a] - soil[i]);
-                }
+                *force = self.pairs.of_soil.pulled(i, |a| water[a] - soil[i]);
             }
         });
         parallel::for_each_part(on_water, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (a, force) in (first..).zip(part) {
-                for (i, bond) in self.pairs.of_water.of(a) {
-                    *force += bond.pull(soil[i] - water[a]);
-                }
+                *force = self.pairs.of_water.pulled(a, |i| soil[i] - water[a]);
             }
         });
         drag
@@ -153,11 +149,9 @@ impl<'a, E: Bond<D>, const D: usize> System<'a, E, D> {
         let mut soil = vec![Vector::zero(); self.stage.soil];
         parallel::for_each_part(&mut soil, 1, CHUNK, &|first, part: &mut [Vector<f64, D>]| {
             for (i, x) in (first..).zip(part) {
-                for (a, bond) in self.pairs.of_soil.of(i) {
-                    *x += bond.pull(water[a]);
-                }
+                let pulled = self.pairs.of_soil.pulled(i, |a| water[a]);
                 let side = sides.get(i).map_or(Vector::zero(), |&side| side * (1.0 / self.stage.step));
-                *x = self.yielding[i].apply(*x + side);
+                *x = self.yielding[i].apply(pulled + side);
             }
         });
         soil
@@ -172,9 +166,7 @@ impl<'a, E: Bond<D>, const D: usize> System<'a, E, D> {
             for (a, out) in (first..).zip(part) {
                 let mut drag = Vector::zero();
                 if a >= held[1] {
-                    for (i, bond) in self.pairs.of_water.of(a) {
-                        drag += bond.pull(x[a] - soil[i]);
-                    }
+                    drag = self.pairs.of_water.pulled(a, |i| x[a] - soil[i]);
                 }
                 *out = x[a] * masses[soil.len() + a] + drag * step;
                 product += x[a].dot(*out);
