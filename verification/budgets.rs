@@ -86,9 +86,9 @@ fn budget<T: Real, const D: usize>(
 pub struct Ledger<const D: usize> {
     pub budgets: Vec<Budget<D>>,
     /// Why it ended before its time.
-    stopped: Option<String>,
+    pub stopped: Option<String>,
     /// The part of the time it ran \[-\].
-    ran: f64,
+    pub ran: f64,
 }
 
 /// Of this case.

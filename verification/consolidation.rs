@@ -59,21 +59,21 @@ fn draining<T: Real, const D: usize>(name: &str, times: &'static [f64]) -> Study
         name,
         "without density diffusion, pore pressure drains from a loaded layer of soil as Terzaghi's series says, with \
          the coefficient of compressible water, and so it does with the renormalised one (values: rms difference over \
-         the pressure at the start; with the usual diffusion as noted)",
+         the pressure at the start)",
         |c| {
             let course = |diffusion| {
                 differences::<T, D>(EVALUATED, times, layered(EVALUATED, diffusion, c), c)
             };
             let plain = course(DensityDiffusion::None);
-            if times.len() < TIMES.len() {
-                return Measured::values(plain);
-            }
             let renormalised = course(DensityDiffusion::Renormalised(T::of(0.1)));
+            let named = renormalised.into_iter().map(|(time, value)| (format!("{time}, renormalised"), value));
+            let measured = Measured::values(plain.into_iter().chain(named));
+            if times.len() < TIMES.len() {
+                return measured;
+            }
             let diffused = course(DensityDiffusion::Hydrostatic(T::of(0.1)));
             let worst = diffused.into_iter().map(|(_, value)| value).fold(0.0, f64::max);
-            let named = renormalised.into_iter().map(|(time, value)| (format!("{time}, renormalised"), value));
-            Measured::values(plain.into_iter().chain(named))
-                .note(format!("with the usual density diffusion up to {worst:.4}: it drains too"))
+            measured.note(format!("with the usual density diffusion up to {worst:.4}: it drains too"))
         },
     )
     .equations(&["37", "52", "53", "55", "58", "65", "69"])

@@ -31,6 +31,7 @@ pub fn studies() -> Vec<Study> {
         full(at(EXTRAPOLATED, MIDDLE), 1e-4),
         full(at(DYNAMIC, FINE), 1e-4),
         full(at(EXTRAPOLATED, FINE), 1e-4),
+        full(at(HALF_STEP, FINE), 1e-4),
         closure(REINITIALISED, 2e-3),
         closure(Closing { courant: 0.1, ..PAPER }, 2e-3),
         full(at(REINITIALISED, MIDDLE), 2e-3),

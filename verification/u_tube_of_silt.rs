@@ -28,7 +28,7 @@ fn of(name: &str, conductivity: f64) -> Study {
 }
 
 /// A case of this conductivity, drag solved over the step. The usual density diffusion spreads pore pressure by
-/// 2δhc = 1.4 m²/s, silt of 1e-6 m/s by 8e-4 m²/s: it would bend the course of the pressure at both ends of the soil.
+/// δhc = 0.7 m²/s, silt of 1e-6 m/s by 8e-4 m²/s: it would bend the course of the pressure at both ends of the soil.
 /// The renormalised one leaves what is linear alone.
 fn solved(conductivity: f64) -> String {
     let case = text(conductivity).replace("[mixture]", "[mixture]\ndrag_scheme = \"backward-euler\"");

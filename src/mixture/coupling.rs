@@ -248,8 +248,11 @@ impl<T: Real, const D: usize> Coupling<T, D> {
         let mut power = 0.0;
         for a in 0..water.phase.len() {
             let at = self.across.water(a);
-            let (mass, density) = (water.phase.mass[a], water.phase.density(a));
-            let (push, rate) = self.push(at, water.pressing_volume(a) / mass, density);
+            let density = water.phase.density(a);
+            // Where it has no pressure, deep in a wall, soil is not pushed by it, and does not push it.
+            let presses = water.pressing_volume(a) > T::ZERO;
+            let weight = if presses { T::ONE / density } else { T::ZERO };
+            let (push, rate) = self.push(at, weight, density);
             water.phase.rate.acceleration[a] += push;
             // K_ia v_ia² summed over the pairs of a, each once: V_a V_i C W v².
             let drag_power = self.sums.get(at, 2 * D + sum::DRAG_POWER);
