@@ -14,7 +14,7 @@ table { border-collapse: collapse; margin: .6rem 0 } td, th { padding: .15rem .7
   border-bottom: 1px solid #e4e4e4; font-variant-numeric: tabular-nums }
 summary { cursor: pointer; padding: .2rem 0 } details { border-bottom: 1px solid #eee } details > div { padding: 0 1.2rem .8rem }
 .mark { display: inline-block; min-width: 5.6rem; font-weight: bold } .good { color: #00694a } .bad { color: #b3261e } .short { color: #8a5a00 }
-.number { color: #555 } svg { max-width: 44rem; width: 100%; height: auto }
+.number { color: #555 } svg { display: block; max-width: 44rem; width: 100%; height: auto }
 .bar { display: inline-block; width: 12rem; height: .6rem; background: #eee; vertical-align: middle }
 .bar i { display: block; height: 100%; background: #0072b2 } .bar i.over { background: #b3261e }
 body.failures details.passed { display: none }";
