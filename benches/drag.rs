@@ -8,7 +8,7 @@ mod scene;
 #[cfg(feature = "case")]
 use alluvium::Preset;
 #[cfg(feature = "case")]
-use alluvium::case::{Case, SoilLaw};
+use alluvium::case::{Case, Drag, Seepage, SoilLaw};
 use alluvium::kernel::WendlandC2;
 use alluvium::material::{Conductivity, Darcy, Elasticity, Soil, Unyielding, Water};
 use alluvium::mixture::{DragScheme, Mixture, Phase};
@@ -128,6 +128,8 @@ fn digging(scheme: &str, conductivity: f64) -> JetRun {
         .replace("[mixture]", &format!("[mixture]\ndrag_scheme = \"{scheme}\""))
         .replace("conductivity_m_per_s = 5.0e-4", &format!("conductivity_m_per_s = {conductivity:?}"));
     let (case, _) = Case::parse("jet", &text).expect("a case");
+    let drag = case.mixing.as_ref().map(|mixing| &mixing.drag);
+    assert_eq!(drag, Some(&Drag::Darcy(Seepage::Conductivity(conductivity))), "the case has another wording");
     let kernel = WendlandC2::new(case.smoothing_length()).expect("a length");
     let mut run = case.simulation(kernel, Preset::Default.leap_frog()).expect("a case");
     let _: ControlFlow<()> = run.run_until(0.004, |_| ControlFlow::Continue(())).expect("a sound run");

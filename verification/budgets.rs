@@ -91,7 +91,7 @@ pub struct Ledger<const D: usize> {
     pub ran: f64,
 }
 
-/// Of this case.
+/// Runs this case with its preset and integrator put in.
 pub fn ledger<T: Real, const D: usize>(text: &str, preset: &str, integrator: &str) -> Ledger<D> {
     let text = text.replace("PRESET", preset).replace("INTEGRATOR", integrator);
     let (case, _) = Case::parse("case", &text).unwrap_or_else(|error| panic!("{error}"));

@@ -53,7 +53,7 @@ pub fn text(conductivity: f64) -> String {
 }
 
 /// The same with [`alluvium::mixture::Mixture::with_gradient_correction`].
-pub fn corrected(conductivity: f64) -> String {
+fn corrected(conductivity: f64) -> String {
     text(conductivity).replace("[particles]", "[particles]\ngradient_correction = true")
 }
 
