@@ -31,11 +31,9 @@ pub fn studies() -> Vec<Study> {
         full(at(EXTRAPOLATED, MIDDLE), 1e-4),
         full(at(DYNAMIC, FINE), 1e-4),
         full(at(EXTRAPOLATED, FINE), 1e-4),
-        full(at(HALF_STEP, FINE), 1e-4),
         closure(REINITIALISED, 2e-3),
         closure(Closing { courant: 0.1, ..PAPER }, 2e-3),
         full(at(REINITIALISED, MIDDLE), 2e-3),
-        full(at(REINITIALISED, FINE), 2e-3),
         full(at(PAPER, FINE), 2e-3).falls_short(
             Expected::Bound { largest: 1.1e-2 },
             "leap-frog as printed feeds spray by (ωΔt)⁴/4 a step",

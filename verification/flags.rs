@@ -4,7 +4,9 @@
 #[derive(Debug, Default)]
 pub struct Flags {
     pub full: bool,
+    /// The mistakes of the quick level, and those of all studies that run.
     pub mutants: bool,
+    pub all_mutants: bool,
     pub reports: Vec<String>,
     /// Where outcomes are kept, to go on from.
     pub resume: Option<String>,
@@ -21,6 +23,7 @@ impl Flags {
             match argument.as_str() {
                 "--full" => flags.full = true,
                 "--mutants" => flags.mutants = true,
+                "--all-mutants" => flags.all_mutants = true,
                 "--recorded" => flags.recorded = true,
                 "--report" => {
                     let file = arguments.next().ok_or("--report needs a file name, or - for the terminal")?;

@@ -31,6 +31,12 @@ pub struct Jet {
     pub speed: f64,
     pub scheme: &'static str,
     pub reconstructed: bool,
+    /// Smoothing length over the spacing h/Δx \[-\]; none is that of the preset.
+    pub smoothing_ratio: Option<f64>,
+    /// How the soil's stress is kept admissible.
+    pub plasticity: &'static str,
+    /// Whether water boils at −1 atm; otherwise it bears any suction.
+    pub boils: bool,
 }
 
 impl Default for Jet {
@@ -43,6 +49,9 @@ impl Default for Jet {
             speed: 25.0,
             scheme: "automatic",
             reconstructed: false,
+            smoothing_ratio: None,
+            plasticity: "return-mapping",
+            boils: true,
         }
     }
 }
@@ -71,16 +80,20 @@ impl Jet {
         self.dig().hole.depth()
     }
 
-    /// With the default preset, water that boils at −1 atm, and as many rows of water in the nozzle as the support needs.
+    /// With the default preset, and as many rows of water in the nozzle as the support needs.
     fn case(&self) -> Case {
-        let Self { spacing, conductivity, fraction, dilatancy, speed, scheme, reconstructed } = self;
+        let Self { spacing, conductivity, fraction, dilatancy, speed, scheme, reconstructed, .. } = self;
+        let ratio =
+            self.smoothing_ratio.map(|ratio| format!("\nsmoothing_ratio = {ratio:?}")).unwrap_or_default();
+        let cavitation = if self.boils { "cavitation_pressure_pa = -101325.0\n" } else { "" };
         let text = CASE
             .replace("PRESET", "default")
             .replace("INTEGRATOR", "leap-frog-ab3")
-            .replace("spacing_m = 0.005", &format!("spacing_m = {spacing:?}"))
+            .replace("spacing_m = 0.005", &format!("spacing_m = {spacing:?}{ratio}"))
             .replace("volume_fraction = 0.5", &format!("volume_fraction = {fraction:?}"))
             .replace("dilatancy_angle_deg = 0.0", &format!("dilatancy_angle_deg = {dilatancy:?}"))
-            .replace("[[water.block]]", "cavitation_pressure_pa = -101325.0\n[[water.block]]")
+            .replace("[[soil.block]]", &format!("plasticity = \"{}\"\n[[soil.block]]", self.plasticity))
+            .replace("[[water.block]]", &format!("{cavitation}[[water.block]]"))
             .replace("conductivity_m_per_s = 5.0e-4", &format!("conductivity_m_per_s = {conductivity:?}"))
             .replace(
                 "[mixture]",

@@ -3,8 +3,8 @@
 //! `cargo test --release --features verify --test verification -- [FILTER] [FLAGS]`
 //!
 //! Own flags, beside those of every test program:
-//! `--full` also runs the studies of minutes; `--mutants` also shows that each study fails under
-//! each of its deliberate mistakes; `--report FILE` writes what was measured, as JSON or HTML if the name
+//! `--full` also runs the studies of minutes; `--mutants` also shows that each study of the quick level fails under
+//! each of its deliberate mistakes, `--all-mutants` that each study that runs does; `--report FILE` writes what was measured, as JSON or HTML if the name
 //! ends so, else as Markdown (`-`: to the terminal); `--resume FILE` keeps every outcome in a file as soon as it
 //! is there, and takes from it what this very build has measured before; with `--recorded` nothing else is run, for
 //! a report of what a run that goes on, or was stopped, has so far. `cargo verify` is short for the command.
@@ -209,11 +209,12 @@ fn trials(studies: &Arc<Vec<Study>>, record: &Shared, flags: &Flags) -> Vec<Tria
     };
     for (index, study) in studies.iter().enumerate() {
         let too_long = study.level == Level::Full && !flags.full;
+        let mistakes = flags.all_mutants || (flags.mutants && study.level == Level::Quick);
         let skip = too_long || unrecorded(study, None);
         trials.push(trial(study.name.clone(), studies, index, None, record).with_ignored_flag(skip));
         for &mutant in &study.mutants {
             let name = format!("{}: {mutant}", study.name);
-            let skip = too_long || !flags.mutants || unrecorded(study, Some(mutant));
+            let skip = too_long || !mistakes || unrecorded(study, Some(mutant));
             let trial = trial(name, studies, index, Some(mutant), record).with_kind("mutant");
             trials.push(trial.with_ignored_flag(skip));
         }

@@ -74,11 +74,12 @@ impl Choice for VolumeFraction {
 }
 
 impl Choice for Plasticity {
-    const ALL: &'static [Self] = &[Self::ReturnMapping, Self::Rate];
+    const ALL: &'static [Self] = &[Self::ReturnMapping, Self::Rate, Self::LiteralRate];
     fn word(self) -> &'static str {
         match self {
             Self::ReturnMapping => "return-mapping",
             Self::Rate => "rate",
+            Self::LiteralRate => "literal-rate",
         }
     }
 }

@@ -17,6 +17,9 @@ pub enum Plasticity {
     /// tension cracking and scaling back. F is taken as zero already at −10⁻⁴ of √J₂ + |p|: a step
     /// along a curved surface ends beside it, and the next would be elastic by chance.
     Rate,
+    /// The same with F ≥ 0 to the letter, for comparison: scaled back, F is zero but for rounding, so chance
+    /// decides which steps flow and dilate.
+    LiteralRate,
 }
 
 /// How far below zero F counts as zero in [`Plasticity::Rate`], as part of √J₂ + |p|.
@@ -168,7 +171,8 @@ impl<T: Real, Y: YieldSurface<T>> Soil<T, Y> {
     #[inline(always)]
     fn plastic_rate(&self, stretch: &SymTensor<T>, stress: &SymTensor<T>) -> SymTensor<T> {
         let size = stress.root_j2() + stress.trace().abs() * T::of(1.0 / 3.0);
-        let yields = self.surface.excess(stress) >= -T::of(SLACK) * size;
+        let slack = if self.plasticity == Plasticity::Rate { SLACK } else { 0.0 };
+        let yields = self.surface.excess(stress) >= -T::of(slack) * size;
         if !yields {
             return SymTensor::zero();
         }

@@ -110,6 +110,25 @@ fn unloading_is_elastic_and_so_is_soil_that_does_not_yield() {
     assert_eq!(elastic.admit(torn).0, torn);
 }
 
+/// A hundred-thousandth inside the surface, where steps along it end.
+#[test]
+fn only_to_the_letter_is_a_stress_just_inside_the_surface_elastic() {
+    let surface = cone(25.0, 25.0);
+    let law = |plasticity| soil(surface).with_plasticity(plasticity);
+    let flows = |plasticity, part: f64| {
+        let on = yielding(&surface);
+        let memory = SoilMemory::stressed(on - on.deviator() * part);
+        let stretch = on.deviator() * 1e-6;
+        let gradient =
+            Tensor::embed(&[0, 1, 2].map(|a| [0, 1, 2].map(|b| stretch.0[SymTensor::<f64>::index(a, b)])));
+        law(plasticity).rate(&gradient, &memory).plastic_strain != SymTensor::zero()
+    };
+    assert!(flows(Plasticity::Rate, 1e-5) && !flows(Plasticity::LiteralRate, 1e-5));
+    for plasticity in [Plasticity::Rate, Plasticity::LiteralRate] {
+        assert!(flows(plasticity, -1e-5) && !flows(plasticity, 1e-2), "{plasticity:?}");
+    }
+}
+
 /// At the apex rounding leaves a deviator, of which the flow must not make a direction.
 #[test]
 fn a_stress_without_shear_flows_without_shear() {

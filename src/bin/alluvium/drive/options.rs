@@ -157,6 +157,8 @@ pub enum PlasticityName {
     ReturnMapping,
     /// The paper's: a plastic multiplier in the rate, then scaling back.
     Rate,
+    /// The same with F ≥ 0 to the letter: which steps flow is chance.
+    LiteralRate,
 }
 
 impl PlasticityName {
@@ -164,6 +166,7 @@ impl PlasticityName {
         match self {
             Self::ReturnMapping => Plasticity::ReturnMapping,
             Self::Rate => Plasticity::Rate,
+            Self::LiteralRate => Plasticity::LiteralRate,
         }
     }
 }
