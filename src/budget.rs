@@ -157,11 +157,14 @@ pub struct Exchange<const D: usize> {
     pub impulse: Vector<f64, D>,
     /// Mass that came in, less what left \[kg\], or per time \[kg/s\].
     pub entered: f64,
+    /// Work of the pores' pressure on soil that moves, buoyancy and seepage together \[J\], or its power \[W\]: it passes
+    /// from the water to the soil, so that it is in no account.
+    pub buoyancy: f64,
 }
 
 impl<const D: usize> Default for Exchange<D> {
     fn default() -> Self {
-        Self { taken: Works::default(), impulse: Vector::zero(), entered: 0.0 }
+        Self { taken: Works::default(), impulse: Vector::zero(), entered: 0.0, buoyancy: 0.0 }
     }
 }
 
@@ -171,6 +174,7 @@ impl<const D: usize> Add for Exchange<D> {
         self.taken = self.taken + other.taken;
         self.impulse += other.impulse;
         self.entered += other.entered;
+        self.buoyancy += other.buoyancy;
         self
     }
 }
@@ -178,7 +182,12 @@ impl<const D: usize> Add for Exchange<D> {
 impl<const D: usize> Mul<f64> for Exchange<D> {
     type Output = Self;
     fn mul(self, factor: f64) -> Self {
-        Self { taken: self.taken * factor, impulse: self.impulse * factor, entered: self.entered * factor }
+        Self {
+            taken: self.taken * factor,
+            impulse: self.impulse * factor,
+            entered: self.entered * factor,
+            buoyancy: self.buoyancy * factor,
+        }
     }
 }
 
@@ -208,6 +217,8 @@ pub struct Budget<const D: usize> {
     pub impulse: [f64; D],
     /// Mass that came in since the start, less what left \[kg\].
     pub entered: f64,
+    /// Work of the pores' pressure on the soil since the start \[J\], which the water did: in no account.
+    pub buoyancy: f64,
 }
 
 impl<const D: usize> Budget<D> {
@@ -225,6 +236,7 @@ impl<const D: usize> Budget<D> {
             taken: Works::default(),
             impulse: [0.0; D],
             entered: 0.0,
+            buoyancy: 0.0,
         }
     }
 

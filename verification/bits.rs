@@ -123,12 +123,13 @@ fn bits<T: Real, const D: usize>(mixture: &Both<T, D>) -> Vec<u64> {
     bits
 }
 
-fn of_phase<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>) -> Vec<u64> {
+pub fn of_phase<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>) -> Vec<u64> {
     let mut bits = Vec::new();
     for i in 0..phase.len() {
         bits.push(u64::from(phase.ids()[i]));
         bits.extend(phase.positions()[i].0.into_iter().chain(phase.velocities()[i].0).map(Real::bits));
         bits.extend([phase.density(i), phase.compression(i), phase.volume_fraction(i)].map(Real::bits));
+        bits.push(phase.pressures()[i].bits());
         let mut remembered = Vec::new();
         phase.memory(i).show(&mut remembered);
         bits.extend(remembered.into_iter().map(f64::to_bits));

@@ -4,8 +4,9 @@
 #[derive(Debug, Default)]
 pub struct Flags {
     pub full: bool,
-    /// The mistakes of the quick level, and those of all studies that run.
+    /// The mistakes of the quick level.
     pub mutants: bool,
+    /// Those of all studies that run.
     pub all_mutants: bool,
     pub reports: Vec<String>,
     /// Where outcomes are kept, to go on from.

@@ -40,6 +40,8 @@ mod invariance;
 #[cfg(feature = "case")]
 mod jet;
 #[cfg(feature = "case")]
+mod jet_3d;
+#[cfg(feature = "case")]
 mod jet_run;
 mod journal;
 mod kept_places;
@@ -148,6 +150,8 @@ fn studies() -> Vec<Study> {
         u_tube_of_silt::studies(),
         #[cfg(feature = "case")]
         jet::studies(),
+        #[cfg(feature = "case")]
+        jet_3d::studies(),
     ]
     .into_iter()
     .flatten()

@@ -1,5 +1,6 @@
 //! Water in soil, in time: it seeps through as Darcy's law has it, and rests where it should.
 
+use crate::bands::{Band, WITHIN, measured, range};
 use crate::soil::{along, elastic};
 use crate::water::periodic;
 use alluvium::kernel::WendlandC2;
@@ -9,8 +10,9 @@ use alluvium::material::{
 use alluvium::mixture::{DensityDiffusion, Mixture, Phase, Slip, Wall};
 use alluvium::simulation::Simulation;
 use alluvium::time::{LeapFrog, StepSize};
-use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Parcel, Study};
 use alluvium::{Real, SymTensor, Vector, setup};
+use std::ops::ControlFlow;
 
 const TRUE_WEIGHT: &str = "γ_w with the true density";
 const CUBED: &str = "φ_f cubed";
@@ -116,74 +118,116 @@ struct Bed {
     is_bare: bool,
 }
 
+/// Height of the soil \[m\].
+const HEIGHT: f64 = 0.175;
+/// Densities \[kg/m³\] that lie on the grains, buoyant, and on the water.
+const BUOYANT: f64 = 1700.0;
+const WATER: f64 = 1000.0;
+/// Bulk modulus K \[Pa\] and Poisson's ratio ν \[-\] of the soil, c of the water \[m/s\].
+const BULK_MODULUS: f64 = 125e6;
+const POISSON: f64 = 0.3;
+const SOUND_SPEED: f64 = 250.0;
+
 const FLUSH: Bed = Bed { spacing: 0.005, width: 0.45, above: 0.0, is_bare: false };
 const WITHOUT_CORNERS: Bed = Bed { spacing: 0.0125, width: 0.15, above: 0.05, is_bare: true };
 
 fn rest<T: Real>(name: &str, bed: Bed, end: f64) -> Study {
     Study::new(
         name,
-        "a saturated bed of soil laid under its buoyant weight rests (values: rms velocity in m/s)",
-        move |conditions| Measured::values(velocities::<T>(bed, end, conditions)),
+        "a saturated bed of soil laid under its buoyant weight rests: rms velocities are below 1e-5 m/s, no fraction \
+         of water is beyond −0.01 and 1.01 in any step, and over the run mean pressures change by less than the \
+         weight of half a row, mean heights by less than a layer's surface sinks under its own weight (values: half \
+         widths from the middle of each band)",
+        move |conditions| rested::<T>(bed, end, conditions),
     )
     .equations(&["55", "58", "68", "75", "76"])
-    .source("nothing drives it")
-    .expect(Expected::Bound { largest: 1e-5 })
+    .source("nothing drives it; surfaces are known to half a spacing; γL²/2M, M = ρc² and the oedometric modulus")
+    .expect(WITHIN)
     .mutant(DRY)
 }
 
 type Saturated<T> = Mixture<T, 2, WendlandC2<T, 2>, Soil<T>, Water<T>>;
 
-fn velocities<T: Real>(bed: Bed, end: f64, conditions: &Conditions) -> Vec<(String, f64)> {
+fn rested<T: Real>(bed: Bed, end: f64, conditions: &Conditions) -> Measured {
     let step = StepSize::courant(T::of(0.2)).expect("a number");
     let mut run = Simulation::new(saturated::<T>(bed, conditions), LeapFrog::new(), step);
-    while run.time() < end {
-        if let Err(error) = run.step() {
-            return vec![(error.to_string(), f64::INFINITY)];
-        }
+    run.start().expect("a start");
+    let parcels = |mixture: &Saturated<T>| [Parcel::of(mixture.soil()), Parcel::of(mixture.water())];
+    let start = parcels(run.mixture());
+    let mut fractions = Vec::new();
+    let followed = run.run_until(end, |run| {
+        let water = run.mixture().water();
+        let inner = water.wall_particles()..water.len();
+        fractions.extend(range(inner.map(|a| water.volume_fraction(a).as_f64())));
+        ControlFlow::<()>::Continue(())
+    });
+    if let Err(error) = followed {
+        return Measured::values([(error.to_string(), f64::INFINITY)]);
     }
-    let rms = |velocities: &[Vector<T, 2>]| {
-        (velocities.iter().map(|v| v.norm2().as_f64()).sum::<f64>() / velocities.len() as f64).sqrt()
-    };
-    let (soil, water) = (run.mixture().soil(), run.mixture().water());
-    vec![
-        ("soil".to_owned(), rms(&soil.velocities()[soil.wall_particles()..])),
-        ("water".to_owned(), rms(&water.velocities()[water.wall_particles()..])),
-    ]
+    let [least, most] = range(fractions);
+    let mut bands = vec![
+        Band::new("least φ_f", Some(least), (-0.01, 1.01)),
+        Band::new("largest φ_f", Some(most), (-0.01, 1.01)),
+    ];
+    let oedometric = 3.0 * BULK_MODULUS * (1.0 - POISSON) / (1.0 + POISSON);
+    let layers = [
+        ("soil", BUOYANT * GRAVITY, HEIGHT, oedometric),
+        ("water", WATER * GRAVITY, HEIGHT + bed.above, WATER * SOUND_SPEED.powi(2)),
+    ];
+    let end = parcels(run.mixture());
+    for (n, (name, weight, depth, modulus)) in layers.into_iter().enumerate() {
+        let change = |of: fn(&Parcel) -> f64| mean(&end[n], of) - mean(&start[n], of);
+        let rms = mean(&end[n], |it| it.speed().powi(2)).sqrt();
+        let values = [
+            ("rms velocity [m/s]", rms, 1e-5),
+            ("change of mean pressure [Pa]", change(|it| it.pressure), 0.5 * weight * bed.spacing),
+            ("change of mean height [m]", change(|it| it.place[1]), 0.5 * weight * depth.powi(2) / modulus),
+        ];
+        let band = |(what, value, most): (_, _, f64)| {
+            Band::new(format!("{name}: {what}"), Some(value), (-most, most))
+        };
+        bands.extend(values.map(band));
+    }
+    measured(bands)
+}
+
+fn mean(parcels: &[Parcel], of: fn(&Parcel) -> f64) -> f64 {
+    parcels.iter().map(of).sum::<f64>() / parcels.len() as f64
 }
 
 /// At the start.
 fn saturated<T: Real>(bed: Bed, conditions: &Conditions) -> Saturated<T> {
     let Bed { spacing, width, above, is_bare } = bed;
-    let (height, volume) = (0.175, T::of(spacing * spacing));
-    let level = height + (above / spacing).round() * spacing;
-    let weight = if conditions.is(DRY) { 2700.0 } else { 1700.0 } * GRAVITY;
-    let elasticity = Elasticity::from_bulk(T::of(125e6), T::of(0.3)).expect("moduli");
+    let volume = T::of(spacing * spacing);
+    let level = HEIGHT + (above / spacing).round() * spacing;
+    let weight = if conditions.is(DRY) { BUOYANT + WATER } else { BUOYANT } * GRAVITY;
+    let elasticity = Elasticity::from_bulk(T::of(BULK_MODULUS), T::of(POISSON)).expect("moduli");
     let cone = DruckerPrager::new(Cone::PlaneStrain, T::of(25_f64.to_radians()), T::ZERO).expect("a cone");
     let ratio = LateralRatio::new(&elasticity, &cone).admissible();
     let walls: Vec<Vector<T, 2>> =
         setup::tank([0.0; 2], [width, level], spacing, 3, [(!is_bare, !is_bare), (true, false)]);
-    let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < T::of(height));
-    let mut soil = Phase::new(Soil::new(T::of(2700.0), elasticity, cone).expect("a soil"));
+    let (beside, over): (Vec<_>, Vec<_>) = walls.iter().copied().partition(|x| x[1] < T::of(HEIGHT));
+    let mut soil = Phase::new(Soil::new(T::of(BUOYANT + WATER), elasticity, cone).expect("a soil"));
     let sticks = || Wall::extrapolated(Slip::NoSlip);
     soil.add_wall(sticks(), &beside, volume, |_| T::ZERO).expect("walls");
     soil.add_wall(sticks().apart(), &over, volume, |_| T::ZERO).expect("walls");
-    soil.add(&setup::fill([0.0; 2], [width, height], spacing), volume, |_| T::ZERO).expect("soil");
+    soil.add(&setup::fill([0.0; 2], [width, HEIGHT], spacing), volume, |_| T::ZERO).expect("soil");
     soil.set_volume_fraction(|_| T::of(0.5));
     soil.set_stress(|x| {
-        let vertical = T::of(-weight * (height - x[1].as_f64()).max(0.0));
+        let vertical = T::of(-weight * (HEIGHT - x[1].as_f64()).max(0.0));
         let mut stress = SymTensor::isotropic(ratio * vertical);
         stress.0[SymTensor::<T>::index(1, 1)] = vertical;
         stress
     });
-    let mut water = Phase::new(Water::new(T::of(1000.0), T::of(250.0)).expect("water"));
-    let pressure = setup::hydrostatic(T::of(1000.0), T::of(GRAVITY), 1, T::of(level));
+    let mut water = Phase::new(Water::new(T::of(WATER), T::of(SOUND_SPEED)).expect("water"));
+    let pressure = setup::hydrostatic(T::of(WATER), T::of(GRAVITY), 1, T::of(level));
     water.add_wall(Wall::extrapolated(Slip::FreeSlip), &walls, volume, &pressure).expect("walls");
     water.add(&setup::fill([0.0; 2], [width, level], spacing), volume, &pressure).expect("water");
     let h = 1.5 * spacing;
     let mixture = Mixture::new(WendlandC2::new(T::of(h)).expect("a length"), soil, water)
         .with_gravity(along(1, -GRAVITY))
         .with_drag(Darcy::new(Conductivity::new(T::of(5e-4)).expect("a conductivity")))
-        .with_density_relaxation(T::of(200.0 * h / 250.0))
+        .with_density_relaxation(T::of(200.0 * h / SOUND_SPEED))
         .expect("a time");
     if !is_bare {
         return mixture;

@@ -7,13 +7,16 @@ use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
 use alluvium::verify::plot::{Chart, Series};
-use alluvium::verify::u_tube::{Levels, exact_difference, initial_difference};
+use alluvium::verify::u_tube::{Levels, SPACING, exact_difference, initial_difference};
 use alluvium::verify::{Conditions, Expected, Level, Measured, Parcel, Study};
 use std::ops::ControlFlow;
 
 const CASE: &str = include_str!("cases/u_tube.toml");
 const CONDUCTIVITY: f64 = 0.01;
 pub const PERMEABLE: &str = "conductivity a tenth too large";
+const HIGHER: &str = "a row more of water in the left arm";
+/// Level of both arms where they are equal \[m\]: that of the right one.
+const EQUAL: f64 = 2.0;
 /// The end \[s\], how often it is looked at, and from when on Darcy's law is asked for: the start sloshes.
 const END: f64 = 20.0;
 const INTERVAL: f64 = 0.5;
@@ -31,7 +34,27 @@ pub fn studies() -> Vec<Study> {
              course has it",
             corrected,
         ),
+        equal(),
     ]
+}
+
+fn equal() -> Study {
+    let run = |conditions: &Conditions| {
+        let higher = if conditions.is(HIGHER) { SPACING } else { 0.0 };
+        let text = text(CONDUCTIVITY).replace("[mixture]", "[mixture]\ndrag_scheme = \"explicit\"");
+        let levels = follow(&level(&text, higher), 0.1, 2.0);
+        Measured::value(worst(levels.iter().map(|(it, _)| it.surface.abs())))
+    };
+    Study::new(
+        "u-tube/equal levels",
+        "equal levels stay equal (value: by how much they differ at worst, in m)",
+        run,
+    )
+    .equations(&["37", "52", "55", "58", "67", "69"])
+    .source("nothing drives the water")
+    .level(Level::Full)
+    .expect(Expected::Bound { largest: 1e-4 })
+    .mutant(HIGHER)
 }
 
 fn of(name: &str, claim: &str, text: fn(f64) -> String) -> Study {
@@ -52,7 +75,19 @@ pub fn text(conductivity: f64) -> String {
         .replace("conductivity_m_per_s = 0.01", &format!("conductivity_m_per_s = {conductivity}"))
 }
 
-/// The same with [`alluvium::mixture::Mixture::with_gradient_correction`].
+/// This case with both arms and the soil between them filled to one level, the left arm by so much more \[m\].
+pub fn level(text: &str, higher: f64) -> String {
+    let left = EQUAL + higher;
+    let line = |line: &str| match line.split_once(" = ") {
+        Some(("surface_m", "4.05")) => format!("surface_m = {left:?}"),
+        Some(("surface_m", _)) => format!("surface_m = {EQUAL:?}"),
+        Some(("high_m", "[1.05, 4.05]")) => format!("high_m = [1.05, {left:?}]"),
+        _ => line.to_owned(),
+    };
+    text.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// The same as [`text`] with [`alluvium::mixture::Mixture::with_gradient_correction`].
 fn corrected(conductivity: f64) -> String {
     text(conductivity).replace("[particles]", "[particles]\ngradient_correction = true")
 }

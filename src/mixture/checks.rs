@@ -129,7 +129,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         // which the kernels, finite at r = 0, do not mind.
         let closest = if self.phase.placed { OVERLAP * h } else { 0.0 };
         let closest2 = closest * closest;
-        let lost = self.exchange_rate.taken;
+        let Exchange { taken: lost, buoyancy, .. } = self.exchange_rate;
         let survey = parallel::reduce(
             self.phase.len(),
             Survey::default(),
@@ -152,7 +152,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
         }
         self.phase.placed = false;
         self.fastest_acceleration = T::of(survey.acceleration2.sqrt());
-        self.exchange_rate = survey.exchange_rate;
+        self.exchange_rate = Exchange { buoyancy, ..survey.exchange_rate };
         self.exchange_rate.taken = self.exchange_rate.taken + lost;
         Ok(())
     }

@@ -230,6 +230,8 @@ impl<T: Real, const D: usize> Coupling<T, D> {
     }
 
     fn push_soil<S: Material<T>>(&mut self, soil: &mut Constituent<T, D, S>) {
+        let walls = soil.phase.wall_particles();
+        let mut buoyancy = 0.0;
         for i in 0..soil.phase.len() {
             if soil.phase.is_apart(i) {
                 self.drag.rate.push(T::ZERO);
@@ -241,7 +243,12 @@ impl<T: Real, const D: usize> Coupling<T, D> {
             let (push, rate) = self.push(i, grains / soil.phase.mass[i], density);
             soil.phase.rate.acceleration[i] += push;
             self.drag.rate.push(rate);
+            if i >= walls {
+                let force: Vector<T, D> = vector_sum(&self.sums, i, 0);
+                buoyancy += (grains * force.dot(soil.phase.now.velocity[i])).as_f64();
+            }
         }
+        soil.exchange_rate.buoyancy = buoyancy;
     }
 
     fn push_water<F: Material<T>>(&mut self, water: &mut Constituent<T, D, F>) {

@@ -266,6 +266,7 @@ impl<T: Real, const D: usize, K: Kernel<T, D>, S: Material<T>, F: Material<T>> M
             taken: exchanged.taken,
             impulse: exchanged.impulse.0,
             entered: exchanged.entered,
+            buoyancy: exchanged.buoyancy,
             ..Budget::empty(self.setting.time)
         };
         let (soil, water) = (&self.soil.phase, &self.water.phase);

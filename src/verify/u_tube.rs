@@ -3,6 +3,7 @@
 
 use super::Parcel;
 use crate::kernel::{Kernel, WendlandC2};
+use core::ops::Range;
 
 /// Particle spacing Δx \[m\] of the paper; the tube is told in spacings, so that its counts come out.
 pub const SPACING: f64 = 0.05;
@@ -72,11 +73,12 @@ impl Levels {
         let seeping = water.iter().filter(|it| (begin..end).contains(&it.place[0]) && it.place[1] < width);
         let moved: f64 = seeping.map(|it| it.volume * it.fraction * it.velocity[0]).sum();
         let arm = |low: f64| surface(water, low + 0.2 * width, low + 0.8 * width);
+        let [before, after] = heads_beside(water);
         Self {
             time,
             beyond: water.iter().map(|it| it.matter * behind(it.place[0])).sum(),
             surface: arm(0.0) - arm(end),
-            head: head(water, 0.0, width) - head(water, end, end + width),
+            head: before - after,
             flow: moved / ((end - begin) * width),
         }
     }
@@ -90,6 +92,32 @@ impl Levels {
     pub fn darcy_ratio(&self, conductivity: f64) -> f64 {
         let [begin, end] = sample();
         self.flow * (end - begin) / (conductivity * self.head)
+    }
+}
+
+/// Columns of the soil whose heads are means: three spacings each, so that none is ever without water.
+const SLICES: usize = 9;
+
+/// The head p/ρg + y \[m\] along the soil at one instant: what stands in a pipe on the channel's floor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeadProfile {
+    /// When \[s\].
+    pub time: f64,
+    /// Place x and head, both \[m\], where the soil begins and ends: those of the water before and behind it.
+    /// Darcy's flow has a straight line between them.
+    pub ends: [(f64, f64); 2],
+    /// Mean place x and mean head, both \[m\], of the water in each column of the soil.
+    pub columns: Vec<(f64, f64)>,
+}
+
+impl HeadProfile {
+    /// Of this water of reference density 1000 kg/m³.
+    pub fn of(time: f64, water: &[Parcel]) -> Self {
+        let [begin, end] = sample();
+        let [before, after] = heads_beside(water);
+        let place = |n: usize| begin + (end - begin) * n as f64 / SLICES as f64;
+        let column = |n: usize| mean_head(water, place(n)..place(n + 1));
+        Self { time, ends: [(begin, before), (end, after)], columns: (0..SLICES).map(column).collect() }
     }
 }
 
@@ -121,14 +149,50 @@ fn surface(water: &[Parcel], low: f64, high: f64) -> f64 {
     (0..COLUMNS).map(|n| height(place(n))).sum::<f64>() / COLUMNS as f64
 }
 
-/// Mean head \[m\] in the middle of the channel's part between two places, walls and soil left aside.
-fn head(water: &[Parcel], low: f64, high: f64) -> f64 {
-    let margin = 0.2 * (high - low);
-    let inside = |it: &&Parcel| {
-        let [x, y] = it.place;
-        (low + margin..high - margin).contains(&x) && (margin..high - low - margin).contains(&y)
-    };
-    let heads: Vec<f64> =
-        water.iter().filter(inside).map(|it| it.pressure / (1000.0 * GRAVITY) + it.place[1]).collect();
-    heads.iter().sum::<f64>() / heads.len().max(1) as f64
+/// Mean heads \[m\] in the middle of the channel's open parts before and behind the soil, walls and soil left aside.
+fn heads_beside(water: &[Parcel]) -> [f64; 2] {
+    let width = WIDTH as f64 * SPACING;
+    [0.0, sample()[1]].map(|low| mean_head(water, low + 0.2 * width..low + 0.8 * width).1)
+}
+
+/// Mean place x and mean head, both \[m\], of the water in a part of the channel, its floor and top left aside.
+fn mean_head(water: &[Parcel], along: Range<f64>) -> (f64, f64) {
+    let width = WIDTH as f64 * SPACING;
+    let up = 0.2 * width..0.8 * width;
+    let inside = water.iter().filter(|it| along.contains(&it.place[0]) && up.contains(&it.place[1]));
+    let head = |it: &Parcel| it.pressure / (1000.0 * GRAVITY) + it.place[1];
+    let (count, place, sum) =
+        inside.fold((0, 0.0, 0.0), |(count, x, sum), it| (count + 1, x + it.place[0], sum + head(it)));
+    let count = f64::from(count.max(1));
+    (place / count, sum / count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Water whose head falls evenly along the channel from 3 m to 2 m.
+    #[test]
+    fn the_profile_of_a_head_that_falls_evenly_is_a_line() {
+        let head = |x: f64| 3.0 - x / (CHANNEL as f64 * SPACING);
+        let place = |n: usize| [n % CHANNEL, n / CHANNEL].map(|n| (n as f64 + 0.5) * SPACING);
+        let parcel = |place: [f64; 2]| Parcel {
+            place,
+            velocity: [0.0; 2],
+            volume: SPACING * SPACING,
+            matter: SPACING * SPACING,
+            fraction: 1.0,
+            pressure: 1000.0 * GRAVITY * (head(place[0]) - place[1]),
+        };
+        let water: Vec<Parcel> = (0..CHANNEL * WIDTH).map(place).map(parcel).collect();
+        let profile = HeadProfile::of(0.0, &water);
+        for (x, value) in &profile.columns {
+            assert!((value - head(*x)).abs() < 1e-12, "{value} at {x}");
+        }
+        assert_eq!(profile.columns.len(), SLICES);
+        // The ends have the heads of the open parts, half of their width away.
+        let half = 0.5 * WIDTH as f64 * SPACING;
+        let [(begin, before), (end, after)] = profile.ends;
+        assert!((before - head(begin - half)).abs() < 1e-12 && (after - head(end + half)).abs() < 1e-12);
+    }
 }

@@ -270,3 +270,58 @@ fn held_soil_stays_and_walls_without_soil_leave_the_water_its_space() {
     assert!(soil.walls().iter().filter_map(along).all(|slip| slip == Slip::NoSlip));
     assert!(water.walls().iter().filter_map(along).all(|slip| slip == Slip::FreeSlip));
 }
+
+/// The paper's U-tube: 3 108 particles of water and 1 158 of walls. Beyond the open top of what stands between the
+/// arms there is nothing, and no wall.
+#[test]
+fn the_u_tube_has_the_papers_counts() {
+    let text = "name = \"tube\"\npreset = \"paper\"\nend_time_s = 1.0\nparticles.spacing_m = 0.05\n\
+                [water]\nsound_speed_m_per_s = 60.0\n\
+                [[water.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [1.05, 4.05]\n\
+                [[water.block]]\nlow_m = [1.05, 0.0]\nhigh_m = [2.4, 1.05]\n\
+                [[water.block]]\nlow_m = [2.4, 0.0]\nhigh_m = [3.45, 2.0]\n\
+                [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [3.45, 4.15]\nopen = [\"+y\"]\n\
+                [[tank.obstacle]]\nlow_m = [1.05, 1.05]\nhigh_m = [2.4, 4.15]\n";
+    let walls = |text: &str| {
+        let case = read(text).0;
+        let mixture = case.mixture::<f64, 2, _>(WendlandC2::new(case.smoothing_length()).unwrap()).unwrap();
+        (mixture.water().wall_particles(), mixture.water().len())
+    };
+    assert_eq!(walls(text), (1158, 1158 + 3108));
+    // Under a lid the top is a face like the others.
+    assert_eq!(walls(&text.replace("open = [\"+y\"]\n", "")).0, 1158 + 63 + 3 * 75);
+}
+
+/// Stress per area of the grains: the weight of dry soil above the water's surface, and less its uplift below.
+#[test]
+fn soil_starts_under_its_weight_less_the_uplift_of_the_water_that_is_there() {
+    let bed = |water: &str| {
+        let text = format!(
+            "name = \"bed\"\nend_time_s = 0.1\nparticles.spacing_m = 0.01\n\
+             [soil]\nreference_density_kg_per_m3 = 2650.0\nvolume_fraction = 0.5\nbulk_modulus_pa = 1e6\n\
+             poissons_ratio = 0.3\nfriction_angle_deg = 30.0\n\
+             [[soil.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [0.2, 0.1]\n\
+             [water]\nsound_speed_m_per_s = 30.0\n{water}\
+             [mixture]\nhydraulic_conductivity_m_per_s = 5e-3\n\
+             [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [0.6, 0.2]\nopen = [\"+y\"]\n"
+        );
+        mixture(&text)
+    };
+    let block =
+        |low: [f64; 2], high: [f64; 2]| format!("[[water.block]]\nlow_m = {low:?}\nhigh_m = {high:?}\n");
+    let half = bed(&block([0.0, 0.0], [0.2, 0.05]));
+    let drowned = bed(&block([0.0, 0.0], [0.2, 0.15]));
+    let dry = bed(&block([0.4, 0.0], [0.6, 0.1]));
+    for (name, mixture, level) in
+        [("half wet", half, 0.05_f64), ("under water", drowned, 0.15), ("dry", dry, 0.0)]
+    {
+        let soil = mixture.soil();
+        for i in soil.wall_particles()..soil.len() {
+            let y = soil.positions()[i][1];
+            let wet = (level.min(0.1) - y).max(0.0);
+            let weight = 9.81 * (2650.0 * (0.1 - y) - 1000.0 * wet);
+            let vertical = -soil.memory(i).stress.0[1];
+            assert!((vertical - weight).abs() < 1e-9 * 2650.0, "{name}, y = {y}: {vertical} for {weight}");
+        }
+    }
+}

@@ -14,7 +14,7 @@ use alluvium::verify::Parcel;
 use alluvium::verify::dam_break::{self, Reference};
 use alluvium::verify::sand_column::{Pile, Section};
 use alluvium::{Real, Vector};
-use constituent::{fastest, file, front, inner, place, seen};
+use constituent::{fastest, file, front, inner, mass, place, seen};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -131,6 +131,15 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
                 all.push((quantity::head(&format!("force_{axis}_on_wall_{side}"), "N", D), force));
             }
         }
+        all.push((quantity::head("angular_momentum_xy", "kg m²/s", D), budget.angular_momentum[2]));
+        if D == 3 {
+            all.push((quantity::head("angular_momentum_yz", "kg m²/s", D), budget.angular_momentum[0]));
+            all.push((quantity::head("angular_momentum_zx", "kg m²/s", D), budget.angular_momentum[1]));
+        }
+        all.push((quantity::head("buoyancy_work", "J", D), budget.buoyancy));
+        all.push((quantity::head("soil_mass", "kg", D), mass(self.soil())));
+        all.push((quantity::head("water_mass", "kg", D), mass(self.water())));
+        all.push((quantity::head("mass_closure", "kg", D), budget.mass_closure(&self.start)));
         all.push(("soil_particles".to_owned(), inner(self.soil()).len() as f64));
         all.push(("water_particles".to_owned(), inner(self.water()).len() as f64));
         all

@@ -12,7 +12,7 @@ use crate::run::{Finished, run_case};
 use crate::solver::{Parcels, Solver};
 use alluvium::case::{Case, Warnings};
 use alluvium::verify::jet::{FALL, Hole, NOZZLE, SPEED, TANK};
-use alluvium::verify::sand_column::{Pile, Section};
+use alluvium::verify::sand_column::{Grain, Pile, Section};
 
 /// The paper's particle spacing \[m\].
 const SPACING: f64 = 0.005;
@@ -62,10 +62,10 @@ impl Jet {
     }
 
     fn text(&self, options: &ReproduceOptions) -> String {
-        // Water boils at −1 atm (decision 25); as printed it bears any suction.
-        let boils = match options.preset {
-            PresetName::Default => "cavitation_pressure_pa = -101325.0\n",
-            PresetName::Paper => "",
+        // Water boils at −1 atm (decision 25); as printed it bears any suction, and the paper counts five layers of walls.
+        let (boils, layers) = match options.preset {
+            PresetName::Default => ("cavitation_pressure_pa = -101325.0\n", ""),
+            PresetName::Paper => ("", "layers = 5\n"),
         };
         let (preset, precision) = (options.preset.preset(), options.precision.name());
         let Self { name, spacing, conductivity, fraction, dilatancy, dumps } = self;
@@ -84,7 +84,7 @@ impl Jet {
              [[water.inflow]]\nlow_m = [{left:?}, {mouth:?}]\nhigh_m = [{right:?}, {:?}]\n\
              velocity_m_per_s = [0.0, {:?}]\n\
              [mixture]\nhydraulic_conductivity_m_per_s = {conductivity:?}\n\
-             [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{width:?}, {height:?}]\nopen = [\"+y\"]\n\
+             [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [{width:?}, {height:?}]\nopen = [\"+y\"]\n{layers}\
              [domain]\nlow_m = [-5.0, -5.0]\nhigh_m = [5.0, 5.0]\n\
              [output]\ndump_times_s = {dumps:?}\nhistory_interval_s = 2.0e-5\n\
              fields = [\"velocity\", \"pressure\", \"volume_fraction\", \"equivalent_plastic_strain\"]\n",
@@ -143,6 +143,7 @@ fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure
     let mut results = Results::of(finished)?;
     results.picture("flow", &flow(watch))?;
     results.picture("soil_fraction", &soil_fraction(watch))?;
+    results.picture("effective_pressure", &effective_pressure(watch))?;
     results.picture("plastic_strain", &plastic_strain(watch))?;
     results.picture("hole", &report::floors(watch))?;
     let report = head + &report::bars(watch, &results.history, &results.ledger);
@@ -184,10 +185,18 @@ fn soil_fraction(watch: &Watch) -> String {
     picture(watch, "volume fraction of soil [-]", (0.0, 0.6)).svg(&panels(watch, layers))
 }
 
+/// Effective pressure of the soil, per area of the grains (Fig. 15): in decades, from the weight of a few rows to the
+/// blow of the jet.
+fn effective_pressure(watch: &Watch) -> String {
+    soil(watch, "effective pressure [kPa]", (0.1, 1000.0), |grain| 1e-3 * grain.pressure)
+}
+
 /// Equivalent plastic strain (Fig. 16).
 fn plastic_strain(watch: &Watch) -> String {
-    let grains =
-        |look: &Look| look.pile.grains().iter().map(|grain| (grain.place, grain.plastic_strain)).collect();
-    let panels = panels(watch, |look| vec![grains(look)]);
-    picture(watch, "equivalent plastic strain [-]", (0.01, 2.0)).svg_logarithmic(&panels)
+    soil(watch, "equivalent plastic strain [-]", (0.01, 2.0), |grain| grain.plastic_strain)
+}
+
+fn soil(watch: &Watch, quantity: &str, range: (f64, f64), of: fn(&Grain) -> f64) -> String {
+    let grains = |look: &Look| look.pile.grains().iter().map(|grain| (grain.place, of(grain))).collect();
+    picture(watch, quantity, range).svg_logarithmic(&panels(watch, |look| vec![grains(look)]))
 }

@@ -64,14 +64,14 @@ const ALL: &[Reproduction] = &[
     },
     Reproduction {
         name: "u-tube",
-        about: "water seeps through soil from one arm of a U-tube to the other, 200 s: levels and flow against \
-                the exact course (paper, Figs. 9 and 10)",
+        about: "water seeps through soil from one arm of a U-tube to the other, 200 s: levels, flow and errors against \
+                the exact course, head along the soil (paper, Figs. 9 and 10)",
         run: u_tube::reproduce,
     },
     Reproduction {
         name: "jet",
-        about: "a jet of 25 m/s digs into saturated soil: flow, hole, volume fraction, plastic strain (paper, \
-                Figs. 12 to 16)",
+        about: "a jet of 25 m/s digs into saturated soil: flow, hole, volume fraction, effective pressure, plastic \
+                strain (paper, Figs. 12 to 16)",
         run: jet::reproduce,
     },
     Reproduction {

@@ -10,7 +10,9 @@ use crate::run::{Finished, run_case};
 use crate::solver::Solver;
 use alluvium::case::Case;
 use alluvium::output::TableWriter;
-use alluvium::verify::u_tube::{ARMS, CHANNEL, LEVELS, Levels, POROSITY, SPACING, WIDTH, exact_difference};
+use alluvium::verify::u_tube::{
+    ARMS, CHANNEL, HeadProfile, LEVELS, Levels, POROSITY, SPACING, WIDTH, exact_difference,
+};
 use core::fmt::Write;
 
 /// Hydraulic conductivity k \[m/s\].
@@ -84,6 +86,7 @@ fn text(options: &ReproduceOptions) -> String {
 #[derive(Default)]
 struct Watch {
     levels: Vec<Levels>,
+    heads: Vec<HeadProfile>,
     pictures: Vec<Panel>,
 }
 
@@ -91,6 +94,7 @@ impl Watch {
     fn look(&mut self, time: f64, solver: &mut dyn Solver) {
         let water = solver.parcels().water;
         self.levels.push(Levels::of(time, &water));
+        self.heads.push(HeadProfile::of(time, &water));
         let view = solver.view();
         let panel = Panel {
             caption: format!("t = {time:.1} s"),
@@ -125,6 +129,8 @@ fn present(case: &Case, finished: Finished, watch: &Watch) -> Result<(), Failure
         )?;
     }
     results.picture("levels", &report::levels(&watch.levels))?;
+    results.picture("errors", &report::errors(&watch.levels))?;
+    results.picture("head", &report::heads(&watch.heads))?;
     results.picture("darcy_velocity", &report::flow(&watch.levels))?;
     results.picture("pressure", &pressure(&watch.pictures))?;
     let report = head + &report::bars(&watch.levels, &results.ledger);

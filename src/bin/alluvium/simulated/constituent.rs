@@ -23,6 +23,11 @@ pub fn fastest<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>) 
     inner(phase).map(|i| phase.velocities()[i].norm().as_f64()).fold(0.0, f64::max)
 }
 
+/// Mass of what moves \[kg\].
+pub fn mass<T: Real, const D: usize, M: Material<T>>(phase: &Phase<T, D, M>) -> f64 {
+    inner(phase).map(|i| phase.masses()[i].as_f64()).sum()
+}
+
 /// A place in three dimensions \[m\]; in two, z is 0.
 pub fn place<T: Real, const D: usize>(x: Vector<T, D>) -> [f64; 3] {
     let x = x.as_f64();

@@ -6,6 +6,7 @@ use crate::folder::RunFolder;
 use crate::manifest::Manifest;
 use crate::outcome::Failure;
 use crate::plots::{Chart, Series};
+use crate::reproduce::bars::Bars;
 use crate::screen;
 use alluvium::output::TableWriter;
 use alluvium::verify::jet::TANK;
@@ -42,7 +43,7 @@ pub fn conductivity(options: &ReproduceOptions) -> Result<(), Failure> {
         })
     };
     let jets = rules.into_iter().flat_map(of_rule).collect();
-    compare(options, Axis { name: "conductivity [m/s]", is_logarithmic: true }, jets)
+    compare(options, Axis { name: "conductivity [m/s]", is_logarithmic: true, deepens: true }, jets)
 }
 
 /// Fig. 18.
@@ -59,13 +60,16 @@ pub fn fraction(options: &ReproduceOptions) -> Result<(), Failure> {
             },
         )
     });
-    compare(options, Axis { name: "soil_fraction [-]", is_logarithmic: false }, jets.collect())
+    let axis = Axis { name: "soil_fraction [-]", is_logarithmic: false, deepens: false };
+    compare(options, axis, jets.collect())
 }
 
 /// What the jets of a series differ in.
 struct Axis {
     name: &'static str,
     is_logarithmic: bool,
+    /// Whether more of it should dig deeper; if not, less deep.
+    deepens: bool,
 }
 
 /// Runs each in a folder of its own; a table, pictures, a report.
@@ -115,7 +119,6 @@ impl Holes<'_> {
              curvature of the floor [1/m] | section [cm²] | drag | run [s] |\n|---|---|---|---|---|---|---|---|---|\n",
         );
         let mut floors = Chart::new("The hole at 10 ms", "x [m]", "y [m]").y_range(0.05, TANK[1] + 0.05);
-        let mut depths: Vec<(f64, Vec<(f64, f64)>)> = Vec::new();
         for (value, watch, scheme, seconds) in self.done {
             let Some(hole) = watch.hole_at(WHEN[2]).map(|look| &look.hole) else { continue };
             let (psi, depth, width, roundness) =
@@ -131,11 +134,9 @@ impl Holes<'_> {
             )
             .expect("a string");
             floors = floors.with(Series::line(&format!("ψ = {psi}°, {value:e}"), hole.floor.clone()));
-            match depths.iter_mut().find(|(of, _)| *of == psi) {
-                Some((_, points)) => points.push((*value, depth)),
-                None => depths.push((psi, vec![(*value, depth)])),
-            }
         }
+        let depths = self.depths();
+        write!(report, "\n{}", self.bars(&depths).markdown()).expect("a string");
         let chart = Chart::new("Depth of the hole at 10 ms", what, "depth [m]")
             .logarithmic(self.axis.is_logarithmic, false);
         let chart = depths
@@ -145,5 +146,40 @@ impl Holes<'_> {
         folder.write("pictures/holes.svg", &floors.svg())?;
         folder.write("report.md", &report)?;
         Ok(report)
+    }
+
+    /// For each ψ \[°\] the values, ascending, and the depths \[m\].
+    fn depths(&self) -> Vec<(f64, Vec<(f64, f64)>)> {
+        let of_rule = |done: &[(f64, Watch, &str, f64)]| {
+            let depth = |watch: &Watch| Some(watch.hole_at(WHEN[2])?.hole.depth());
+            let points = done.iter().filter_map(|(value, watch, ..)| Some((*value, depth(watch)?)));
+            let mut points: Vec<_> = points.collect();
+            points.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+            (done[0].1.jet.dilatancy, points)
+        };
+        self.done.chunk_by(|a, b| a.1.jet.dilatancy == b.1.jet.dilatancy).map(of_rule).collect()
+    }
+
+    /// Each hole against the one before, from the least value on.
+    fn bars(&self, depths: &[(f64, Vec<(f64, f64)>)]) -> Bars {
+        let Axis { name, deepens, .. } = self.axis;
+        let mut table = Bars::default();
+        for (psi, points) in depths {
+            // Only of soil that must swell to flow is depth a matter of conductivity (decision 25).
+            let is_asked = !deepens || *psi == FRICTION_ANGLE;
+            let bar = match (is_asked, deepens) {
+                (false, _) => "none",
+                (true, true) => "deeper than the one before",
+                (true, false) => "shallower than the one before",
+            };
+            for pair in points.windows(2) {
+                let [(_, before), (value, depth)] = [pair[0], pair[1]];
+                let what = format!("depth at {name} {value:e}, ψ = {psi}°, and of the one before");
+                let met = if *deepens { depth > before } else { depth < before };
+                let found = format!("{:.1}, {:.1} mm", 1e3 * depth, 1e3 * before);
+                table.add(&what, found, bar, is_asked.then_some(met));
+            }
+        }
+        table
     }
 }

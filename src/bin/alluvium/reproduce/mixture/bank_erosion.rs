@@ -58,7 +58,7 @@ fn bank(x: f64, spacing: f64) -> f64 {
     (height / spacing).round() * spacing
 }
 
-fn text(options: &ReproduceOptions, spacing: f64) -> String {
+pub(super) fn text(options: &ReproduceOptions, spacing: f64) -> String {
     let dumps = dumps(END, DUMPS);
     let dilatancy = match options.preset {
         PresetName::Default => 0.0,

@@ -88,7 +88,7 @@ fn unit_of_time() -> f64 {
     HEIGHT * HEIGHT / layer().coefficient()
 }
 
-fn text(options: &ReproduceOptions, end: f64) -> String {
+pub(super) fn text(options: &ReproduceOptions, end: f64) -> String {
     let dumps = dumps(end * unit_of_time(), (end * PARTS).round() as usize);
     let (width, level) = (ROWS_ACROSS * SPACING, HEIGHT + ABOVE);
     let mut text = head::of_case(&options.name, options, &dumps);

@@ -69,7 +69,7 @@ fn push() -> f64 {
     0.5 * SLOPE * GRAVITY
 }
 
-fn text(options: &ReproduceOptions, volumes: usize) -> String {
+pub(super) fn text(options: &ReproduceOptions, volumes: usize) -> String {
     let dumps = dumps(volumes as f64 * pore_volume(), volumes * DUMPS);
     let at = |n: usize| n as f64 * SPACING;
     let (soil, length, width) = (at(COLUMNS), at(2 * COLUMNS), at(ROWS));

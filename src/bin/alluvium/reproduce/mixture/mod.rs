@@ -6,6 +6,8 @@ pub mod darcy_column;
 pub mod saturated_rest;
 pub mod settling;
 pub mod submerged_collapse;
+#[cfg(test)]
+mod tests;
 
 use super::bars::Bars;
 use super::head;

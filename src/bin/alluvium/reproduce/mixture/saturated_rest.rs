@@ -39,7 +39,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     results.conclude(&(head + &bars.markdown()))
 }
 
-fn text(name: &str, above: f64, options: &ReproduceOptions) -> String {
+pub(super) fn text(name: &str, above: f64, options: &ReproduceOptions) -> String {
     let (spacing, end, count) = if options.quick { (0.0125, 0.05, 20) } else { (0.005, 0.5, 50) };
     let spacing = options.spacing.unwrap_or(spacing);
     let ([width, height], dumps) = (TANK, dumps(end, count));

@@ -62,7 +62,7 @@ fn period() -> f64 {
     4.0 * HEIGHT / SOUND_SPEED
 }
 
-fn text(options: &ReproduceOptions) -> String {
+pub(super) fn text(options: &ReproduceOptions) -> String {
     let end = if options.quick { QUICK_END } else { END };
     let dumps = dumps(end, (24.0 * end / period()).round() as usize);
     let mut text = head::of_case(&options.name, options, &dumps);

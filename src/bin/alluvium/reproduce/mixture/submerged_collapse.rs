@@ -40,7 +40,7 @@ pub fn reproduce(options: &ReproduceOptions) -> Result<(), Failure> {
     flow.present(watched, bars, own)
 }
 
-fn text(options: &ReproduceOptions, spacing: f64) -> String {
+pub(super) fn text(options: &ReproduceOptions, spacing: f64) -> String {
     let dumps = dumps(END, DUMPS);
     let dilatancy = match options.preset {
         PresetName::Default => 0.0,
