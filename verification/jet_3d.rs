@@ -51,7 +51,7 @@ fn compared(conditions: &Conditions) -> Measured {
             Some(end.kinetic / (start.kinetic + came)),
             (0.0, 1.0),
         ),
-        Band::new("closure over what came", Some(unexplained / came), (-1e-3, 1e-3)),
+        Band::new("closure over what came", Some(unexplained / came), (-2e-3, 2e-3)),
     ])
     .note(format!("{} numbers; the jet brought {came:.4e} J", one.bits.len()))
 }

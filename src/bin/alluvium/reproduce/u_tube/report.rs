@@ -79,11 +79,12 @@ pub fn errors(levels: &[Levels]) -> String {
         .x_range(0.0, end)
         .with(Series::dashed("bars", bar(1.0)).coloured("#999999"))
         .with(Series::dashed("", bar(-1.0)).coloured("#999999"));
-    let with = |chart: Chart, ((name, errors), colour): ((&str, Vec<(f64, f64)>), &'static str)| {
+    let [(mass, by_mass), (surface, by_surface)] = off_the_course(levels);
+    let of = |name: &str, errors: Vec<(f64, f64)>| {
         let errors = errors.into_iter().map(|(time, error)| (time, 1e2 * error)).collect();
-        chart.with(Series::points(&format!("by {name}"), errors).coloured(colour))
+        Series::points(&format!("by {name}"), errors)
     };
-    off_the_course(levels).into_iter().zip(["#0072b2", "#d55e00"]).fold(chart, with).svg()
+    chart.with(of(mass, by_mass).coloured("#0072b2")).with(of(surface, by_surface).coloured("#d55e00")).svg()
 }
 
 /// Head along the soil at up to five instants, over the straight lines of Darcy's flow.
