@@ -3,7 +3,7 @@
 
 use crate::bands::{Band, WITHIN, measured};
 use crate::jet_run::{Dig, Jet, SPACING, TIMES};
-use alluvium::verify::jet::Hole;
+use alluvium::verify::jet::{Hole, TANK};
 use alluvium::verify::plot::{Chart, Series};
 use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 
@@ -55,18 +55,23 @@ fn of_one_soil() -> Vec<Study> {
             "the blow of the first water is not over: 3.3 MPa after 0.7 ms, 0.9 MPa after 2 ms in two particles above \
              the soil; −0.44 MPa without cavitation",
         ),
+        of("jet/associated", "with the paper's flow rule the jet digs 24 to 27 mm", associated).falls_short(
+            reaching(7.0),
+            "16 mm; without cavitation 14 mm, at h = 1.5 Δx 17 mm, at h = 1.3 Δx 21 mm, as a second program finds; only \
+             with F ≥ 0 to the letter 23 to 25 mm: decision 25",
+        ),
         of(
             "jet/associated to the letter",
-            "with the paper's flow rule where F ≥ 0 to the letter, so that chance decides which steps dilate, at h = 1.3 Δx \
-             the jet digs 24 to 27 mm, to the 1.5 mm of scatter between steps and instants",
+            "at h = 1.3 Δx the paper's flow rule with F ≥ 0 to the letter, so that chance decides which steps dilate, digs \
+             deeper than where every step on the surface flows, by more than the scatter of 1.5 mm",
             to_the_letter,
         )
         .mutant(RETURNED),
         of(
             "jet/second program",
-            "at h = 1.3, 1.5 and 2.12 Δx, without cavitation, the jet digs as deep as another program finds, to 1.5 mm of \
-             scatter in each: with the paper's flow rule, every step on the surface flowing, 21.2, 16.9 and 14.3 mm; in soil that \
-             keeps its volume 49.2, 50.3 and 52.6 mm",
+            "recorded agreement: at h = 1.3, 1.5 and 2.12 Δx, without cavitation, the jet digs as deep as another program \
+             finds, to 1.5 mm of scatter in each: with the paper's flow rule, every step on the surface flowing, 21.2, 16.9 \
+             and 14.3 mm; in soil that keeps its volume 49.2, 50.3 and 52.6 mm",
             beside_the_second_program,
         )
         .source(SECOND)
@@ -231,18 +236,21 @@ fn pressure(times: &[f64], conditions: &Conditions) -> Measured {
         .note(format!("in any step {:.4e} to {:.4e} Pa: the first drops strike", extremes[0], extremes[1]))
 }
 
+fn associated(_: &Conditions) -> Measured {
+    let hole = Jet { dilatancy: FRICTION_ANGLE, ..Jet::default() }.dig().hole;
+    measured(vec![Band::new("depth [m]", Some(hole.depth()), (0.024, 0.027))]).note(shape(&hole))
+}
+
 fn to_the_letter(conditions: &Conditions) -> Measured {
-    let plasticity = if conditions.is(RETURNED) { "return-mapping" } else { "literal-rate" };
-    let jet = Jet {
-        dilatancy: FRICTION_ANGLE,
-        plasticity,
-        smoothing_ratio: Some(1.3),
-        boils: false,
-        ..Jet::default()
+    let depth = |plasticity| {
+        let paper =
+            Jet { dilatancy: FRICTION_ANGLE, smoothing_ratio: Some(1.3), boils: false, ..Jet::default() };
+        Jet { plasticity, ..paper }.depth()
     };
-    let hole = jet.dig().hole;
-    let near = (0.024 - SCATTER, 0.027 + SCATTER);
-    measured(vec![Band::new("depth [m]", Some(hole.depth()), near)]).note(shape(&hole))
+    let letter = if conditions.is(RETURNED) { "return-mapping" } else { "literal-rate" };
+    let deeper = depth(letter) - depth("return-mapping");
+    measured(vec![Band::new("deeper by [m]", Some(deeper), (SCATTER, TANK[1]))])
+        .note(format!("to the letter {:.4} m", depth(letter)))
 }
 
 fn beside_the_second_program(conditions: &Conditions) -> Measured {
@@ -254,8 +262,9 @@ fn beside_the_second_program(conditions: &Conditions) -> Measured {
         (1.5, 0.0, 0.0503),
         (2.12, 0.0, 0.0526),
     ];
-    let speed = speed(conditions);
     let band = |(ratio, dilatancy, found): (f64, f64, f64)| {
+        // The mistake is in the flow that dilates alone, whose holes are the smaller ones.
+        let speed = if dilatancy > 0.0 { speed(conditions) } else { Jet::default().speed };
         let jet = Jet { dilatancy, smoothing_ratio: Some(ratio), boils: false, speed, ..Jet::default() };
         let depth = jet.depth();
         let name = format!("depth at h = {ratio} Δx, ψ = {dilatancy}° [m]");
@@ -279,7 +288,7 @@ fn conductivity(jet: Jet, soils: &[f64], conditions: &Conditions) -> Measured {
     measured(bands.collect()).note(noted(&holes)).picture(&chart(&holes))
 }
 
-/// With half the spacing, of the depth at the whole one; the mistake is in that.
+/// With half the spacing, of the depth at the whole one; the mistake slows the coarse jet alone.
 fn spacing(jet: Jet, conditions: &Conditions) -> Measured {
     let fine = Jet { spacing: 0.5 * SPACING, ..jet.clone() };
     let jet = Jet { speed: speed(conditions), ..jet };

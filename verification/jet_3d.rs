@@ -7,7 +7,7 @@ use alluvium::budget::{Account, Budget};
 use alluvium::case::Case;
 use alluvium::kernel::WendlandC2;
 use alluvium::parallel::Threads;
-use alluvium::verify::{Conditions, Level, Measured, Study};
+use alluvium::verify::{Conditions, Expected, Level, Measured, Study};
 use alluvium::{Preset, Real};
 use std::ops::ControlFlow;
 
@@ -19,14 +19,15 @@ const END: f64 = 1.5e-3;
 
 pub fn studies() -> Vec<Study> {
     let claim = "a round jet on saturated soil between walls has the same bits with one thread and with three, no \
-                 fraction leaves 0 to 1 in any step, the water keeps less energy than the jet brought, and the ledger \
-                 closes (values: half widths from the middle of each band)";
+                 fraction leaves 0 to 1 in any step, less is in motion than was there and came, and the ledger closes to \
+                 1e-3 of what came in every step (values: half widths from the middle of each band)";
     vec![
         Study::new("jet/round", claim, compared)
             .equations(&["24", "33", "37", "52", "53", "55", "58", "69"])
             .source("each particle adds its own neighbours in ascending order; conservation of energy")
             .level(Level::Full)
             .expect(WITHIN)
+            .falls_short(Expected::Bound { largest: 1.3 }, "1.24e-3 in the worst step, of 1.5 ms in f32")
             .mutant(FASTER)
             .mutant(UNBOOKED),
     ]
@@ -51,7 +52,7 @@ fn compared(conditions: &Conditions) -> Measured {
             Some(end.kinetic / (start.kinetic + came)),
             (0.0, 1.0),
         ),
-        Band::new("closure over what came", Some(unexplained / came), (-2e-3, 2e-3)),
+        Band::new("closure over what came", Some(unexplained / came), (-1e-3, 1e-3)),
     ])
     .note(format!("{} numbers; the jet brought {came:.4e} J", one.bits.len()))
 }

@@ -15,6 +15,7 @@ impl<T: Real, const D: usize, M: Material<T>> Constituent<T, D, M> {
     /// Velocity gradient (62) → deviatoric stress (14), (15) and rate of the memory.
     pub(super) fn find_stress<K: Kernel<T, D>>(&mut self, setting: &Setting<T, D, K>) {
         self.exchange_rate.taken = Works::default();
+        self.exchange_rate.buoyancy = 0.0;
         if self.is_corrected {
             self.find_corrected_expansion(setting);
         }

@@ -271,27 +271,6 @@ fn held_soil_stays_and_walls_without_soil_leave_the_water_its_space() {
     assert!(water.walls().iter().filter_map(along).all(|slip| slip == Slip::FreeSlip));
 }
 
-/// The paper's U-tube: 3 108 particles of water and 1 158 of walls. Beyond the open top of what stands between the
-/// arms there is nothing, and no wall.
-#[test]
-fn the_u_tube_has_the_papers_counts() {
-    let text = "name = \"tube\"\npreset = \"paper\"\nend_time_s = 1.0\nparticles.spacing_m = 0.05\n\
-                [water]\nsound_speed_m_per_s = 60.0\n\
-                [[water.block]]\nlow_m = [0.0, 0.0]\nhigh_m = [1.05, 4.05]\n\
-                [[water.block]]\nlow_m = [1.05, 0.0]\nhigh_m = [2.4, 1.05]\n\
-                [[water.block]]\nlow_m = [2.4, 0.0]\nhigh_m = [3.45, 2.0]\n\
-                [tank]\nlow_m = [0.0, 0.0]\nhigh_m = [3.45, 4.15]\nopen = [\"+y\"]\n\
-                [[tank.obstacle]]\nlow_m = [1.05, 1.05]\nhigh_m = [2.4, 4.15]\n";
-    let walls = |text: &str| {
-        let case = read(text).0;
-        let mixture = case.mixture::<f64, 2, _>(WendlandC2::new(case.smoothing_length()).unwrap()).unwrap();
-        (mixture.water().wall_particles(), mixture.water().len())
-    };
-    assert_eq!(walls(text), (1158, 1158 + 3108));
-    // Under a lid the top is a face like the others.
-    assert_eq!(walls(&text.replace("open = [\"+y\"]\n", "")).0, 1158 + 63 + 3 * 75);
-}
-
 /// Stress per area of the grains: the weight of dry soil above the water's surface, and less its uplift below.
 #[test]
 fn soil_starts_under_its_weight_less_the_uplift_of_the_water_that_is_there() {

@@ -131,10 +131,10 @@ impl<T: Real + Component, const D: usize, K: Kernel<T, D>, I: Integrator<T>> Sol
                 all.push((quantity::head(&format!("force_{axis}_on_wall_{side}"), "N", D), force));
             }
         }
-        all.push((quantity::head("angular_momentum_xy", "kg m²/s", D), budget.angular_momentum[2]));
+        all.push((quantity::head("angular_momentum_xy", "N m s", D), budget.angular_momentum[2]));
         if D == 3 {
-            all.push((quantity::head("angular_momentum_yz", "kg m²/s", D), budget.angular_momentum[0]));
-            all.push((quantity::head("angular_momentum_zx", "kg m²/s", D), budget.angular_momentum[1]));
+            all.push((quantity::head("angular_momentum_yz", "N m s", D), budget.angular_momentum[0]));
+            all.push((quantity::head("angular_momentum_zx", "N m s", D), budget.angular_momentum[1]));
         }
         all.push((quantity::head("buoyancy_work", "J", D), budget.buoyancy));
         all.push((quantity::head("soil_mass", "kg", D), mass(self.soil())));

@@ -2,7 +2,7 @@
 
 use super::{array, vector};
 use crate::case::choice::Side;
-use crate::case::model::{Case, Region, Tank, Walls};
+use crate::case::model::{Case, Region, Walls};
 use crate::error::ParameterError;
 use crate::material::Material;
 use crate::mixture::{Phase, Slip, Wall};
@@ -63,7 +63,7 @@ impl Case {
             phase.add_wall(wall, &own, self.volume(), &pressure)?;
         }
         for obstacle in &tank.obstacles {
-            let shell = self.shell(obstacle, tank).into_iter().filter(|x| (kept.filled)(x));
+            let shell = self.shell(obstacle, tank.layers).into_iter().filter(|x| (kept.filled)(x));
             let own: Vec<Vector<T, D>> = shell.collect();
             phase.add_wall(kept.wall(tank.walls), &own, self.volume(), &pressure)?;
         }
@@ -98,20 +98,11 @@ impl Case {
         })
     }
 
-    /// The outermost `layers` of particles that fill a box, but for the faces that lie on a side of the tank without a wall: there
-    /// is nothing beyond.
-    fn shell<T: Real, const D: usize>(&self, region: &Region, tank: &Tank) -> Vec<Vector<T, D>> {
+    /// The outermost `layers` of particles that fill a box.
+    fn shell<T: Real, const D: usize>(&self, region: &Region, layers: u64) -> Vec<Vector<T, D>> {
         let (low, high) = (array::<D>(&region.low), array::<D>(&region.high));
-        let deep = tank.layers as f64 * self.particles.spacing;
-        let sides = self.wall_sides();
-        let faces = |k: usize, is_high: bool| {
-            let (face, side) = if is_high { (high[k], tank.high[k]) } else { (low[k], tank.low[k]) };
-            let is_inside = (face - side).abs() > 1e-6 * self.particles.spacing;
-            is_inside || sides.iter().any(|it| it.axis() == k && it.is_high() == is_high)
-        };
-        let near = |x: f64, k: usize| {
-            (x - low[k] < deep && faces(k, false)) || (high[k] - x < deep && faces(k, true))
-        };
+        let deep = layers as f64 * self.particles.spacing;
+        let near = |x: f64, k: usize| (x - low[k]).min(high[k] - x) < deep;
         let mut particles = setup::fill::<T, D>(low, high, self.particles.spacing);
         particles.retain(|x| (0..D).any(|k| near(x[k].as_f64(), k)));
         particles
