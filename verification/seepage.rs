@@ -27,7 +27,10 @@ pub fn studies() -> Vec<Study> {
         darcy::<f32, 3>("mixture/darcy/3d/f32"),
         rest::<f64>("mixture/saturated bed/quick", Bed { spacing: 0.00625, ..FLUSH }, 0.02),
         rest::<f32>("mixture/saturated bed/quick/f32", Bed { spacing: 0.00625, ..FLUSH }, 0.02),
-        rest::<f64>("mixture/saturated bed/as in the paper", FLUSH, 0.5).level(Level::Full),
+        rest::<f64>("mixture/saturated bed/as in the paper", FLUSH, 0.5).level(Level::Full).falls_short(
+            Expected::Bound { largest: 1.03 },
+            "the water's mean pressure settles 25.1 Pa below the one it is laid with, for 24.5 Pa",
+        ),
         rest::<f64>("mixture/saturated bed/under water", Bed { above: 0.05, ..FLUSH }, 0.5)
             .level(Level::Full),
         rest::<f64>("mixture/saturated bed/under water, no corners", WITHOUT_CORNERS, 0.1),
