@@ -2,6 +2,7 @@
 //! Why it is run as it is: decision 25.
 
 use crate::bands::{Band, WITHIN, measured};
+use crate::jet_3d;
 use crate::jet_run::{Dig, Jet, SPACING, TIMES};
 use alluvium::verify::jet::{Hole, TANK};
 use alluvium::verify::plot::{Chart, Series};
@@ -22,7 +23,10 @@ const SCATTER: f64 = 0.0015;
 const FRICTION_ANGLE: f64 = 25.0;
 
 pub fn studies() -> Vec<Study> {
-    [of_one_soil(), of_fraction(), of_conductivity()].into_iter().flatten().collect()
+    [of_one_soil(), of_resolution(), of_fraction(), of_conductivity(), jet_3d::studies()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn of(name: &str, claim: &str, run: fn(&Conditions) -> Measured) -> Study {
@@ -76,6 +80,12 @@ fn of_one_soil() -> Vec<Study> {
         )
         .source(SECOND)
         .mutant(SLOW),
+    ]
+}
+
+/// With half the spacing, and in single precision.
+fn of_resolution() -> Vec<Study> {
+    vec![
         of(
             "jet/spacing with the paper's flow rule",
             "with the paper's flow rule the hole is as deep with half the paper's spacing, to 10 %",

@@ -150,8 +150,6 @@ fn studies() -> Vec<Study> {
         u_tube_of_silt::studies(),
         #[cfg(feature = "case")]
         jet::studies(),
-        #[cfg(feature = "case")]
-        jet_3d::studies(),
     ]
     .into_iter()
     .flatten()
