@@ -6,6 +6,7 @@ use alluvium::verify::{Expected, Measured};
 pub const WITHIN: Expected = Expected::Bound { largest: 1.0 };
 
 /// A number and its band.
+#[derive(Clone)]
 pub struct Band {
     what: String,
     value: f64,
